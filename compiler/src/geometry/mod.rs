@@ -1,0 +1,1 @@
+//! Grids, meshes, planarity, dihedral angles, unrolling. Imports glam only.

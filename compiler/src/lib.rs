@@ -1,0 +1,7 @@
+//! The ifs compiler: from `.ifs` text to typed programs, plans, meshes, boards and the bytes of every output.
+//!
+//! A pure library. It opens no file, reads no clock, environment or terminal; sources come in through
+//! [`source::Files`], outputs go out as bytes. Lengths are millimetres and angles radians inside.
+
+pub mod exact;
+pub mod geometry;

@@ -1,0 +1,1 @@
+//! Shared pieces of the test suites: where the tree lies and how the `ifs` program is run.
