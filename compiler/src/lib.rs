@@ -4,4 +4,6 @@
 //! [`source::Files`], outputs go out as bytes. Lengths are millimetres and angles radians inside.
 
 pub mod exact;
+pub mod export;
+pub mod fabricate;
 pub mod geometry;
