@@ -7,3 +7,4 @@ pub mod exact;
 pub mod export;
 pub mod fabricate;
 pub mod geometry;
+pub mod readback;

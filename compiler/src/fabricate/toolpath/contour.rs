@@ -1,5 +1,5 @@
-//! Passes around the outer contour: down a ramp along the longest edge, around, and once more over the ramp at full
-//! depth. The tool's centre never leaves the offset path, so all it cuts beside the contour is waste.
+//! Passes around the outer contour: down a ramp along the path, around, and once more over the ramp at full depth. The
+//! tool's centre never leaves the offset path, so all it cuts beside the contour is waste.
 
 use super::offset::CentrePath;
 use super::program::{Step, Turn};
@@ -7,12 +7,15 @@ use super::{Refusal, Steps};
 use crate::fabricate::machine::CutDirection;
 use glam::DVec2;
 
-/// Gentle ramp: 1 in 10, as long as the edge has room.
+/// Gentle ramp: 1 in 10, as long as the path has room.
 const GENTLE_SLOPE: f64 = 0.1;
-/// Steepest ramp; shorter edges take more passes instead.
+/// Steepest ramp; shorter paths take more passes instead.
 const STEEPEST_SLOPE: f64 = 0.25;
-/// Part of the longest edge a ramp may take: it stays clear of both corners.
-const RAMP_SHARE: f64 = 0.6;
+/// Part of the path a ramp may take.
+const RAMP_SHARE: f64 = 0.5;
+/// A ramp that takes up to this part of the longest side lies in its middle, clear of both corners; a longer one begins
+/// there and goes on around corners.
+const SIDE_SHARE: f64 = 0.6;
 /// Most passes a contour may take.
 const MOST_PASSES: f64 = 200.0;
 /// Most sides over all passes: keeps programs readable by machines and by read-back.
@@ -20,93 +23,128 @@ const MOST_SIDES: f64 = 10_000.0;
 /// Height above the stock where the descent slows from feed to plunge, mm.
 pub(super) const APPROACH: f64 = 1.0;
 
-/// One piece of the closed path in the direction of cutting.
+/// One piece of the path in the direction of cutting.
+#[derive(Clone, Copy)]
 struct Piece {
+    from: DVec2,
     to: DVec2,
     /// Whether it is an arc around a corner.
     arc: bool,
-}
-
-/// Where a contour's ramp lies and what is cut after it.
-struct Loop {
-    ramp_from: DVec2,
-    ramp_to: DVec2,
-    /// From the end of the ramp around to its start.
-    around: Vec<Piece>,
-    turn: Turn,
+    /// Its length, mm.
+    length: f64,
 }
 
 /// Cuts the contour down to thickness + cut-through in equal passes.
 ///
 /// # Errors
-/// `NoRoomForRamp` if the longest edge is so short that more than 200 passes, or 10,000 sides in all, were needed.
+/// `TooManyPasses` if more than 200 passes, or 10,000 sides in all, were needed.
 pub(super) fn cut(steps: &mut Steps, path: &CentrePath) -> Result<(), Refusal> {
     let tool = steps.machine.cutter();
     let (top, bottom) = (steps.top(), steps.machine.bottom(steps.thickness));
     let depth = top - bottom;
-    let longest = path.sides.iter().map(|s| s.from.distance(s.to)).fold(0.0, f64::max);
-    let room = RAMP_SHARE * longest;
+    let around: f64 = anticlockwise(path, 0, path.sides[0].from).iter().map(|p| p.length).sum();
+    let room = RAMP_SHARE * around;
     let passes =
         (depth / tool.max_step_down - 1e-9).ceil().max((depth / (room * STEEPEST_SLOPE) - 1e-9).ceil());
     if passes > MOST_PASSES || passes * path.sides.len() as f64 > MOST_SIDES {
-        return Err(Refusal::NoRoomForRamp { longest, passes });
+        return Err(Refusal::TooManyPasses { passes, sides: path.sides.len() });
     }
     let step = depth / passes;
-    let ramp = room.min(step / GENTLE_SLOPE);
-    let way = run(path, ramp, steps.machine.spec().direction);
+    let direction = steps.machine.spec().direction;
+    let (ramp, rest) =
+        split(run(path, room.min(step / GENTLE_SLOPE), direction), room.min(step / GENTLE_SLOPE));
+    let ramp_length: f64 = ramp.iter().map(|p| p.length).sum();
 
     // Downwards no faster than the plunge feed.
-    let ramp_feed = tool.feed.min(tool.plunge * (ramp * ramp + step * step).sqrt() / step);
-    let (feed, plunge) = (tool.feed, tool.plunge);
+    let ramp_feed = tool.feed.min(tool.plunge * (ramp_length * ramp_length + step * step).sqrt() / step);
+    let (feed, plunge) = (tool.feed, tool.plunge.min(tool.feed));
+    let start = ramp[0].from;
     steps.note(format!("outer contour, passes: {passes:.0}"));
-    steps.rapid(way.ramp_from);
-    steps.line(way.ramp_from.extend(top + APPROACH), feed);
-    steps.line(way.ramp_from.extend(top), plunge);
-    let mut z = top;
+    steps.rapid(start);
+    steps.line(start.extend(top + APPROACH), feed);
+    steps.line(start.extend(top), plunge);
+    let mut go = |piece: &Piece, z: f64, feed: f64| {
+        let (to, radius) = (piece.to.extend(z), path.radius);
+        let turn = match direction {
+            CutDirection::Climb => Turn::Clockwise,
+            CutDirection::Conventional => Turn::Anticlockwise,
+        };
+        steps.out.push(if piece.arc {
+            Step::Arc { to, radius, turn, feed }
+        } else {
+            Step::Line { to, feed }
+        });
+    };
     for pass in 1..=passes as u32 {
-        z = if f64::from(pass) == passes { bottom } else { top - step * f64::from(pass) };
-        steps.line(way.ramp_to.extend(z), ramp_feed);
-        for piece in &way.around {
-            let to = piece.to.extend(z);
-            steps.out.push(if piece.arc {
-                Step::Arc { to, radius: path.radius, turn: way.turn, feed }
-            } else {
-                Step::Line { to, feed }
-            });
+        let above = top - step * f64::from(pass - 1);
+        let z = if f64::from(pass) == passes { bottom } else { top - step * f64::from(pass) };
+        let mut gone = 0.0;
+        for (i, piece) in ramp.iter().enumerate() {
+            gone += piece.length;
+            let last = i + 1 == ramp.len();
+            go(piece, if last { z } else { above + (z - above) * (gone / ramp_length) }, ramp_feed);
         }
+        rest.iter().for_each(|piece| go(piece, z, feed));
     }
-    steps.line(way.ramp_to.extend(z), feed);
+    ramp.iter().for_each(|piece| go(piece, bottom, feed));
     steps.retract();
     Ok(())
 }
 
-/// Opens the closed path at a ramp of this length in the middle of its longest side (the first of equals).
-fn run(path: &CentrePath, ramp: f64, direction: CutDirection) -> Loop {
-    let n = path.sides.len();
+/// The whole path in the direction of cutting, opened where a ramp of this length is to begin: so that it lies in the
+/// middle of the longest side (the first of equals) if it has room there.
+fn run(path: &CentrePath, ramp: f64, direction: CutDirection) -> Vec<Piece> {
     let length = |i: usize| path.sides[i].from.distance(path.sides[i].to);
-    let longest = (1..n).fold(0, |best, i| if length(i) > length(best) { i } else { best });
+    let longest = (1..path.sides.len()).fold(0, |best, i| if length(i) > length(best) { i } else { best });
     let side = path.sides[longest];
-    let middle = (side.from + side.to) / 2.0;
-    let half = (side.to - side.from) * (ramp / (2.0 * length(longest)));
-    // Anticlockwise, from side to side with arcs between; clockwise is the same read backwards.
-    let mut points: Vec<Piece> = vec![Piece { to: middle + half, arc: false }];
-    for k in 0..n {
-        let (here, next) = (path.sides[(longest + k) % n], path.sides[(longest + k + 1) % n]);
-        points.push(Piece { to: here.to, arc: false });
-        if here.to != next.from {
-            points.push(Piece { to: next.from, arc: true });
-        }
-    }
-    points.push(Piece { to: middle - half, arc: false });
+    let before_middle = (ramp / length(longest)).min(SIDE_SHARE) / 2.0;
+    let at = |t: f64| side.from + (side.to - side.from) * t;
     match direction {
-        CutDirection::Conventional => {
-            let around = points.split_off(1);
-            Loop { ramp_from: middle - half, ramp_to: middle + half, around, turn: Turn::Anticlockwise }
-        }
+        CutDirection::Conventional => anticlockwise(path, longest, at(0.5 - before_middle)),
         CutDirection::Climb => {
-            let backwards = |pair: &[Piece]| Piece { to: pair[0].to, arc: pair[1].arc };
-            let around = points.windows(2).rev().map(backwards).collect();
-            Loop { ramp_from: middle + half, ramp_to: middle - half, around, turn: Turn::Clockwise }
+            let backwards = |p: &Piece| Piece { from: p.to, to: p.from, ..*p };
+            anticlockwise(path, longest, at(0.5 + before_middle)).iter().rev().map(backwards).collect()
         }
     }
+}
+
+/// Once around from `start` on side `first`.
+fn anticlockwise(path: &CentrePath, first: usize, start: DVec2) -> Vec<Piece> {
+    let n = path.sides.len();
+    let line = |from: DVec2, to: DVec2| Piece { from, to, arc: false, length: from.distance(to) };
+    let mut out = Vec::with_capacity(2 * n + 1);
+    let mut from = start;
+    for k in 0..n {
+        let (here, next) = (path.sides[(first + k) % n], path.sides[(first + k + 1) % n]);
+        out.push(line(from, here.to));
+        if here.to != next.from {
+            let half_chord = here.to.distance(next.from) / (2.0 * path.radius);
+            let length = 2.0 * path.radius * libm::asin(half_chord.min(1.0));
+            out.push(Piece { from: here.to, to: next.from, arc: true, length });
+        }
+        from = next.from;
+    }
+    out.push(line(from, start));
+    out.retain(|piece| piece.from != piece.to);
+    out
+}
+
+/// The pieces of the first `length` mm, and the rest. An arc that the cut would fall in goes to the first part whole.
+fn split(pieces: Vec<Piece>, length: f64) -> (Vec<Piece>, Vec<Piece>) {
+    let (mut first, mut rest) = (Vec::new(), Vec::new());
+    let mut left = length;
+    for piece in pieces {
+        if left <= 1e-6 {
+            rest.push(piece);
+        } else if piece.arc || piece.length <= left + 1e-6 {
+            first.push(piece);
+            left -= piece.length;
+        } else {
+            let middle = piece.from + (piece.to - piece.from) * (left / piece.length);
+            first.push(Piece { to: middle, length: left, ..piece });
+            rest.push(Piece { from: middle, length: piece.length - left, ..piece });
+            left = 0.0;
+        }
+    }
+    (first, rest)
 }

@@ -194,7 +194,7 @@ fn middles(outline: &Polygon) -> Vec<(DVec2, f64)> {
 /// Cuts the strokes in order, travelling between them at a feed just above the stock.
 pub(super) fn engrave(steps: &mut Steps, pattern: &Pattern) {
     let tool = steps.machine.engraver();
-    let (feed, plunge) = (tool.feed, tool.plunge);
+    let (feed, plunge) = (tool.feed, tool.plunge.min(tool.feed));
     let top = steps.top();
     let bottom = top - steps.machine.spec().engrave_depth;
     steps.note(format!("engraving, {:.3} mm high", pattern.height));

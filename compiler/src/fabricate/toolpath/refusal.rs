@@ -20,8 +20,8 @@ pub enum Refusal {
     ConcaveCorner { corner: usize, left: f64, radius: f64 },
     /// The cutter, kept off one edge, would cut into another.
     ToolDoesNotFit { edge: usize, diameter: f64 },
-    /// No edge is long enough for the ramp.
-    NoRoomForRamp { longest: f64, passes: f64 },
+    /// The contour has too many sides and passes, or is too short to ramp along.
+    TooManyPasses { passes: f64, sides: usize },
     /// The alias is empty, or begins or ends with a space.
     NothingToEngrave,
     /// The font has no such character.
@@ -60,10 +60,12 @@ impl fmt::Display for Refusal {
                     "a tool of {diameter:.3} mm does not fit beside edge {edge} without cutting another edge"
                 )
             }
-            Refusal::NoRoomForRamp { longest, passes } => write!(
-                f,
-                "the longest edge, {longest:.3} mm, is too short to ramp along: too much for {passes:.0} passes"
-            ),
+            Refusal::TooManyPasses { passes, sides } => {
+                write!(
+                    f,
+                    "{passes:.0} passes around {sides} sides are too many: take a longer cutter step or fewer corners"
+                )
+            }
             Refusal::NothingToEngrave => write!(f, "the alias is empty or has a space at its end"),
             Refusal::UnknownCharacter { character } => {
                 write!(f, "the engraving font has no character {:?}", character)

@@ -149,29 +149,34 @@ fn every_other_refusal_has_its_own_reason() {
         let message = program(&job, &Machine::try_new(spec).unwrap()).unwrap_err().to_string();
         assert!(message.contains(words), "{message} does not say {words}");
     }
-    let mut job = shaped(
-        &(0..600)
-            .map(|i| f64::from(i) * std::f64::consts::TAU / 600.0)
-            .map(|a| (20.0 * libm::cos(a), 20.0 * libm::sin(a)))
-            .collect::<Vec<_>>(),
-    );
-    job.thickness = 30.0;
-    assert!(matches!(refused(&job), Refusal::TextDoesNotFit { .. }));
-    job.alias = "1".to_owned();
-    assert!(matches!(refused(&job), Refusal::NoRoomForRamp { .. }));
 }
 
 #[test]
-fn short_edges_take_gentler_steps_instead_of_steeper_ramps() {
-    let hexagon: Vec<(f64, f64)> = (0..24)
+fn a_contour_with_too_many_passes_is_refused() {
+    let mut spec = router();
+    spec.tools[0].max_step_down = 0.06;
+    let refusal = program(&panel(), &Machine::try_new(spec).unwrap()).unwrap_err();
+    assert_eq!(refusal, Refusal::TooManyPasses { passes: 209.0, sides: 4 });
+}
+
+#[test]
+fn a_ramp_that_is_longer_than_the_edges_goes_around_corners() {
+    let round: Vec<(f64, f64)> = (0..24)
         .map(|i| f64::from(i) * std::f64::consts::TAU / 24.0)
         .map(|a| (40.0 * libm::cos(a), 40.0 * libm::sin(a)))
         .collect();
-    let mut job = shaped(&hexagon);
+    let mut job = shaped(&round);
     job.engraving.least_height = 3.0;
     let made = program(&job, &machine()).unwrap();
-    // The longest edge is 10.4 mm: ramps of 6.3 mm go down by 1.57 mm at most, so 12.5 mm take eight passes.
-    assert!(made.steps.contains(&Step::Note { text: "outer contour, passes: 8".to_owned() }));
+    // Three passes of 4.167 mm, each ramp 41.7 mm long over edges of 10.4 mm: even heights between -4.167 and -8.333.
+    let height = |s: &Step| match s {
+        Step::Line { to, .. } | Step::Arc { to, .. } => Some(to.z),
+        _ => None,
+    };
+    let heights: Vec<f64> = made.steps.iter().filter_map(height).collect();
+    let ramp: Vec<f64> = heights.iter().copied().filter(|z| *z < -4.2 && *z > -8.3).collect();
+    assert!(ramp.len() >= 6, "{ramp:?}");
+    assert!(ramp.windows(2).all(|w| w[1] < w[0]));
 }
 
 #[test]
