@@ -84,7 +84,7 @@ const SEEDS: &[Seed] = &[
     Seed { kind: FaultKind::EngravingOutside, spoil: |t| line(t, "G1 X", |_| "G1 X17.000 Y100.000 Z-0.400\n".to_owned()) },
     Seed { kind: FaultKind::EngravingDepth, spoil: |t| swap(t, "Z-0.400", "Z-0.900") },
     Seed { kind: FaultKind::EngravingText, spoil: |t| swap(t, "Z-0.400", "Z0.400") },
-    Seed { kind: FaultKind::EngravingMark, spoil: |t| before(t, "G0 Z20.000\nM5\nT1", |part| drop_last_stroke(part)) },
+    Seed { kind: FaultKind::EngravingMark, spoil: |t| before(t, "G0 Z20.000\nM5\nT1", drop_last_stroke) },
     Seed { kind: FaultKind::EngravingOrder, spoil: |t| swapped_operations(t) },
     Seed { kind: FaultKind::EndHeight, spoil: |t| swap(t, "G0 Z20.000\nM5\nM2", "M5\nM2") },
     Seed { kind: FaultKind::SpindleOnAtEnd, spoil: |t| swap(t, "M5\nM2", "M2") },
