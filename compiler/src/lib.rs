@@ -6,5 +6,6 @@
 pub mod diagnostic;
 pub mod exact;
 pub mod geometry;
+pub mod hir;
 pub mod source;
 pub mod syntax;

@@ -76,6 +76,7 @@ codes! {
     E0305 Error "a definition that depends on itself",
     E0306 Error "a file that cannot be read",
     W0307 Warning "an import that is never used",
+    W0308 Warning "a name of the library that is not imported",
 
     // Types and dimensions.
     E0401 Error "a value of another type is needed here",

@@ -231,6 +231,8 @@ pub enum ExprKind {
     Native(Native, Vec<Expr>),
     /// A record, its fields in order.
     Record(ItemId, Vec<Expr>),
+    /// The default of a parameter or field of an item, by its place.
+    Default(ItemId, usize),
     /// Settings by name.
     Settings(SchemaKind, Vec<SettingValue>),
     /// A word of a choice, by its place.
