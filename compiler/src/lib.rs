@@ -7,5 +7,6 @@ pub mod diagnostic;
 pub mod exact;
 pub mod geometry;
 pub mod hir;
+pub mod planarize;
 pub mod source;
 pub mod syntax;

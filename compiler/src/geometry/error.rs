@@ -2,6 +2,11 @@
 
 use std::fmt;
 
+use glam::DVec3;
+
+/// The largest size of a coordinate, mm: 1000 km. Beyond it the measures would lose the micrometres.
+pub const LARGEST_COORDINATE: f64 = 1e9;
+
 /// The reason a [`super::Grid`] or a [`super::QuadMesh`] was refused.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum MeshError {
@@ -16,6 +21,11 @@ pub enum MeshError {
     },
     /// A coordinate is infinite or not a number.
     NotFinite {
+        /// The vertex with that coordinate.
+        vertex: usize,
+    },
+    /// A coordinate is larger than [`LARGEST_COORDINATE`].
+    TooFar {
         /// The vertex with that coordinate.
         vertex: usize,
     },
@@ -45,6 +55,20 @@ pub enum MeshError {
     },
 }
 
+impl MeshError {
+    /// Refuses coordinates that are not finite or too large.
+    pub(super) fn check_points(points: &[DVec3]) -> Result<(), Self> {
+        let found = points
+            .iter()
+            .position(|point| !(point.abs().max_element() <= LARGEST_COORDINATE && point.is_finite()));
+        match found {
+            Some(vertex) if points[vertex].is_finite() => Err(Self::TooFar { vertex }),
+            Some(vertex) => Err(Self::NotFinite { vertex }),
+            None => Ok(()),
+        }
+    }
+}
+
 impl fmt::Display for MeshError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -52,6 +76,7 @@ impl fmt::Display for MeshError {
                 write!(out, "quad {quad} names vertex {vertex}, but there are only {vertices} vertices")
             }
             Self::NotFinite { vertex } => write!(out, "vertex {vertex} has a coordinate that is not finite"),
+            Self::TooFar { vertex } => write!(out, "vertex {vertex} is more than 1000km from the origin"),
             Self::TooManyQuadsAtEdge { vertices: [a, b] } => {
                 write!(out, "the edge between vertices {a} and {b} belongs to more than two quads")
             }

@@ -34,15 +34,13 @@ impl Grid {
     /// A grid after its checks.
     ///
     /// # Errors
-    /// Another number of points than `rows * columns`, coordinates that are not finite.
+    /// Another number of points than `rows * columns`, coordinates that are not finite or beyond 1000 km.
     pub fn try_new(rows: usize, columns: usize, points: Vec<DVec3>) -> Result<Self, MeshError> {
         let wanted = rows.saturating_mul(columns);
         if points.len() != wanted {
             return Err(MeshError::WrongPointCount { wanted, given: points.len() });
         }
-        if let Some(vertex) = points.iter().position(|point| !point.is_finite()) {
-            return Err(MeshError::NotFinite { vertex });
-        }
+        MeshError::check_points(&points)?;
         Ok(Self { rows, columns, points })
     }
 

@@ -22,16 +22,14 @@ impl QuadMesh {
     /// A mesh after its checks. Quads of no area, and vertices no quad uses, are allowed.
     ///
     /// # Errors
-    /// Indices out of range, coordinates that are not finite, edges of more than two quads, more than `u32::MAX`
+    /// Indices out of range, coordinates that are not finite or beyond 1000 km, edges of more than two quads, more than `u32::MAX`
     /// vertices or quads.
     pub fn try_new(vertices: Vec<DVec3>, quads: Vec<[u32; 4]>) -> Result<Self, MeshError> {
         let limit = u32::MAX as usize;
         if let Some(&count) = [vertices.len(), quads.len()].iter().find(|&&count| count > limit) {
             return Err(MeshError::TooLarge { count });
         }
-        if let Some(vertex) = vertices.iter().position(|point| !point.is_finite()) {
-            return Err(MeshError::NotFinite { vertex });
-        }
+        MeshError::check_points(&vertices)?;
         for (quad, corners) in quads.iter().enumerate() {
             if let Some(&vertex) = corners.iter().find(|&&corner| corner as usize >= vertices.len()) {
                 return Err(MeshError::VertexOutOfRange { quad, vertex, vertices: vertices.len() });
@@ -99,13 +97,14 @@ mod tests {
             QuadMesh::try_new(square.clone(), vec![[0, 1, 2, 4]]),
             Err(MeshError::VertexOutOfRange { quad: 0, vertex: 4, vertices: 4 })
         );
-        for bad in [f64::NAN, f64::INFINITY] {
+        for (bad, error) in [
+            (f64::NAN, MeshError::NotFinite { vertex: 2 }),
+            (f64::INFINITY, MeshError::NotFinite { vertex: 2 }),
+            (-1e10, MeshError::TooFar { vertex: 2 }),
+        ] {
             let mut vertices = square.clone();
             vertices[2].y = bad;
-            assert_eq!(
-                QuadMesh::try_new(vertices, vec![[0, 1, 2, 3]]),
-                Err(MeshError::NotFinite { vertex: 2 })
-            );
+            assert_eq!(QuadMesh::try_new(vertices, vec![[0, 1, 2, 3]]), Err(error));
         }
         assert_eq!(
             QuadMesh::try_new(square, vec![[0, 1, 2, 3]; 3]),

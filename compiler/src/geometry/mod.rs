@@ -17,7 +17,7 @@ pub mod unroll;
 pub(crate) mod samples;
 
 pub use dihedral::{Dihedral, edge_dihedral};
-pub use error::MeshError;
+pub use error::{LARGEST_COORDINATE, MeshError};
 pub use grid::{Closed, Grid};
 pub use mesh::QuadMesh;
 pub use planarity::{Diagonal, QuadMeasure, Verdict};

@@ -49,10 +49,12 @@ impl Checker<'_> {
         let records = self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
         let library = self.modules.iter().flat_map(|scope| scope.public.keys().copied());
         let library = library.filter(|name| name.starts_with(char::is_uppercase));
-        let known = Dimension::names().chain(PLAIN.iter().map(|(known, _)| *known)).chain(records).chain(library);
+        let plain = PLAIN.iter().map(|(known, _)| *known);
+        let known: Vec<String> =
+            Dimension::names().chain(plain).chain(records).chain(library).map(str::to_owned).collect();
         let message = format!("there is no type `{name}`");
         let mut diagnostic = Diagnostic::new(Code::E0409, ty.span, message).label("not a type");
-        diagnostic = match closest(name, known) {
+        diagnostic = match closest(name, known.iter().map(String::as_str)) {
             Some(candidate) => {
                 diagnostic.fix(format!("did you mean `{candidate}`?"), ty.span, candidate.to_owned())
             }
