@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 const MOST_BITS: u64 = 4096;
 
 /// A number.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Scalar {
     /// Exactly this.
     Exact(Rational),
@@ -20,6 +20,17 @@ pub enum Scalar {
     Real(f64),
     /// A function of the parameters of the ifs being checked.
     Symbolic(RationalFunction),
+}
+
+impl PartialEq for Scalar {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Scalar::Exact(a), Scalar::Exact(b)) | (Scalar::Pi(a), Scalar::Pi(b)) => a == b,
+            (Scalar::Real(a), Scalar::Real(b)) => a == b,
+            (Scalar::Symbolic(a), Scalar::Symbolic(b)) => a.equals(b).unwrap_or(false),
+            _ => false,
+        }
+    }
 }
 
 /// Why an operation has no result.

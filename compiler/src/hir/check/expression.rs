@@ -3,7 +3,7 @@
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
-use crate::hir::dimension::{Dimension, Worth, unit_worth};
+use crate::hir::dimension::{Worth, unit_worth};
 use crate::hir::scalar::Scalar;
 use crate::hir::schema::ChoiceKind;
 use crate::hir::tree::{Expr, ExprKind};
@@ -141,14 +141,4 @@ impl Checker<'_> {
         Expr { kind: ExprKind::If(condition, yes, no), ty, span }
     }
 
-    /// The dimension of a number; reports anything else.
-    pub(super) fn dimension_of(&mut self, value: &Expr) -> Option<Dimension> {
-        let dimension = value.ty.dimension();
-        if dimension.is_none() && value.ty != Type::Error {
-            let name = self.type_name(&value.ty);
-            let message = format!("a number is needed, but this is a {name}");
-            self.report(Diagnostic::new(Code::E0401, value.span, message).label(format!("a {name}")));
-        }
-        dimension
-    }
 }

@@ -49,9 +49,9 @@ impl Checker<'_> {
         let records = self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
         let library = self.modules.iter().flat_map(|scope| scope.public.keys().copied());
         let library = library.filter(|name| name.starts_with(char::is_uppercase));
-        let plain = PLAIN.iter().map(|(known, _)| *known);
-        let known: Vec<String> =
-            Dimension::names().chain(plain).chain(records).chain(library).map(str::to_owned).collect();
+        let mut known: Vec<String> = Dimension::names().map(str::to_owned).collect();
+        known.extend(PLAIN.iter().map(|(known, _)| (*known).to_owned()));
+        known.extend(records.chain(library).map(str::to_owned));
         let message = format!("there is no type `{name}`");
         let mut diagnostic = Diagnostic::new(Code::E0409, ty.span, message).label("not a type");
         diagnostic = match closest(name, known.iter().map(String::as_str)) {

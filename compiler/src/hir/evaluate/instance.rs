@@ -11,7 +11,7 @@ use crate::source::Span;
 use std::sync::Arc;
 
 /// A row of weights, one for each control point.
-pub type Row = Vec<Rational>;
+type Row = Vec<Rational>;
 
 /// An ifs with its arguments worked out.
 #[derive(Clone, Debug, PartialEq)]
