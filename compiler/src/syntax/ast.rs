@@ -37,6 +37,7 @@ pub struct Item {
 
 /// What an item is.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "items are few, and boxes would be in the way of every reader")]
 pub enum ItemKind {
     /// `use std.curves (bezier3)`
     Use(Use),

@@ -1,0 +1,3 @@
+//! The programs of `LANGUAGE.md`, the limits, and what holds for every text.
+
+mod language;
