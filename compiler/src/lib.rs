@@ -5,3 +5,4 @@
 
 pub mod exact;
 pub mod geometry;
+pub mod ifs;
