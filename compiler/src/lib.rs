@@ -6,3 +6,4 @@
 pub mod exact;
 pub mod geometry;
 pub mod ifs;
+pub mod plan;

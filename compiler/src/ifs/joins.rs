@@ -16,7 +16,7 @@ use super::automaton::{Automaton, Germ, State, StateId, Transform};
 use super::matrix::row_times;
 
 /// Most multiplications of exact numbers spent on one proof, each counted once more for every 64 bits.
-const WORK_BUDGET: usize = 2_000_000;
+const WORK_BUDGET: usize = 500_000;
 
 /// Whether pieces meet at every level, for all control points.
 #[derive(Clone, Debug, PartialEq, Eq)]
