@@ -7,6 +7,8 @@ pub mod diagnostic;
 pub mod exact;
 pub mod geometry;
 pub mod hir;
+pub mod ifs;
+pub mod plan;
 pub mod planarize;
 pub mod source;
 pub mod syntax;
