@@ -5,6 +5,7 @@
 
 pub mod diagnostic;
 pub mod exact;
+pub mod fabricate;
 pub mod geometry;
 pub mod hir;
 pub mod ifs;
