@@ -7,6 +7,7 @@ pub mod address;
 pub mod budget;
 pub mod evaluate;
 mod figure;
+pub mod lower;
 mod print;
 
 pub use figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
