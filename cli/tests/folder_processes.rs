@@ -122,8 +122,9 @@ fn killed(exchange: Exchange) -> Result<(), Failed> {
         let mut child = start(&target, word, last + 1, 1_000_000);
         // Spread over the time of three builds, in an order that looks random.
         std::thread::sleep(whole * (kill * 37 % KILLS) / KILLS);
-        child.kill()?;
+        let kill_sent = child.kill();
         child.wait()?;
+        kill_sent?;
         let mut printed = String::new();
         child.stdout.take().ok_or("no output")?.read_to_string(&mut printed)?;
         let committed = printed.lines().last().map_or(Ok(last), str::parse)?;
