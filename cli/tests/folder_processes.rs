@@ -117,45 +117,63 @@ fn killed(exchange: Exchange) -> Result<(), Failed> {
     fs::create_dir(target.join("ours"))?;
     fs::write(target.join("ours/photo.jpg"), "mine")?;
     let whole = time_of_builds(&target, word)?;
-    let (mut last, mut cut_off, mut without_target) = (generation(&target)?, 0, 0);
+    let mut last = generation(&target)?;
+    let (mut in_the_middle, mut new_and_untold, mut without_target) = (0, 0, 0);
     for kill in 0..KILLS {
         let mut child = start(&target, word, last + 1, 1_000_000);
-        // Spread over the time of three builds, in an order that looks random.
-        std::thread::sleep(whole * (kill * 37 % KILLS) / KILLS);
+        wait_for_the_moment(&root, kill, whole);
         let kill_sent = child.kill();
         child.wait()?;
         kill_sent?;
         let mut printed = String::new();
         child.stdout.take().ok_or("no output")?.read_to_string(&mut printed)?;
-        let committed = printed.lines().last().map_or(Ok(last), str::parse)?;
-        cut_off +=
-            u32::from(names_beside(&root).iter().any(|name| name != "vault" && !name.ends_with("lock")));
+        let told = printed.lines().last().map_or(Ok(last), str::parse)?;
+        in_the_middle += u32::from(names_beside(&root).iter().any(|n| n != "vault" && !n.ends_with("lock")));
         if exchange == Exchange::Journal {
             without_target += u32::from(!target.exists());
             OutputFolder::recover(&target)?;
         }
         let found = generation(&target)?;
-        if found != committed && found != committed + 1 {
-            return Err(format!("generation {found} after {committed} was committed").into());
+        if found != told && found != told + 1 {
+            return Err(format!("generation {found} after {told} was committed").into());
         }
         if fs::read(target.join("notes.txt"))? != b"mine"
             || fs::read(target.join("ours/photo.jpg"))? != b"mine"
         {
             return Err("a foreign file was lost".into());
         }
+        new_and_untold += u32::from(found == told + 1);
         last = found;
     }
     println!(
-        "{word}: {KILLS} kills in {last} builds, {cut_off} in the middle, {without_target} between two renames"
+        "{word}: {KILLS} kills in {last} builds, {in_the_middle} in the middle of one, {new_and_untold} after the \
+         new set was in place and before that was told, {without_target} between two renames"
     );
-    if cut_off < KILLS / 4 {
-        return Err(format!("only {cut_off} of {KILLS} kills met a build in the middle").into());
+    if in_the_middle < KILLS / 4 || new_and_untold == 0 {
+        return Err("the kills met no build where it matters".into());
     }
     build(&target, exchange, last + 1)?;
     if generation(&target)? != last + 1 || names_beside(&root) != ["vault"] {
         return Err(format!("left behind: {:?}", names_beside(&root)).into());
     }
     Ok(())
+}
+
+/// Waits until a kill: every second one at any time within three builds, the others around the one step in which the
+/// new set takes the old one's place. Both are spread evenly, in an order that looks random.
+fn wait_for_the_moment(root: &Path, kill: u32, whole: Duration) {
+    let part = f64::from(kill * 37 % KILLS) / f64::from(KILLS);
+    if kill.is_multiple_of(2) {
+        return std::thread::sleep(whole.mul_f64(part));
+    }
+    let begun = Instant::now();
+    while !root.join(".vault.ifs-staging/manifest.json").exists() && begun.elapsed() < whole * 10 {
+        std::hint::spin_loop();
+    }
+    let after = Instant::now();
+    while after.elapsed() < Duration::from_millis(5).mul_f64(part) {
+        std::hint::spin_loop();
+    }
 }
 
 /// The time a process takes for three builds, its start included.

@@ -45,3 +45,14 @@ fn the_lock_of_the_referees_names_public_places_only() {
         assert!(name.is_empty() || package["integrity"].is_string(), "{name} has no checksum");
     }
 }
+
+/// What the README tells a person to run is what every commit must pass.
+#[test]
+fn the_readme_and_the_gate_run_the_same_tests() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let gate = fs::read_to_string(root().join(".ci/run")).unwrap();
+    let commands: Vec<&str> =
+        readme.split("```sh\n").skip(1).map(|block| block.split("\n```").next().unwrap()).collect();
+    assert_eq!(commands.len(), 2, "two commands remain two commands: {commands:?}");
+    assert_eq!(gate.lines().last(), Some(commands[1]));
+}
