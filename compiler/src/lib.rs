@@ -3,6 +3,7 @@
 //! A pure library. It opens no file, reads no clock, environment or terminal; sources come in through
 //! [`source::Files`], outputs go out as bytes. Lengths are millimetres and angles radians inside.
 
+pub mod analysis;
 pub mod diagnostic;
 pub mod exact;
 pub mod fabricate;

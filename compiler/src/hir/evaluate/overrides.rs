@@ -16,6 +16,8 @@ use std::collections::BTreeMap;
 pub struct Overrides {
     /// Parameters by name, as written: `7m`, `0.46`, `true`.
     pub parameters: BTreeMap<String, String>,
+    /// Parameters by name, worked out already; these win. For looking for remedies.
+    pub values: BTreeMap<String, Scalar>,
     /// A figure whose levels are read higher or lower by so much.
     pub level_shift: Option<(String, i32)>,
 }
@@ -92,9 +94,11 @@ impl Evaluator<'_> {
         let item = self.hir.item(id);
         let (name, name_span) = (item.name.clone(), item.name_span);
         let set = if name_span.file == self.hir.root { self.overrides.parameters.get(&name) } else { None };
-        let value = match set {
-            None => self.body(&param.default)?,
-            Some(text) => read_value(text, &param.ty).map_err(|_| {
+        let tried = self.overrides.values.get(&name).filter(|_| name_span.file == self.hir.root);
+        let value = match (tried, set) {
+            (Some(value), _) => Value::Scalar(value.clone()),
+            (None, None) => self.body(&param.default)?,
+            (None, Some(text)) => read_value(text, &param.ty).map_err(|_| {
                 let message = format!("`{text}` is no value for the parameter `{name}`");
                 let unit = param.ty.dimension().map_or("", |dimension| dimension.display_unit().0);
                 let example = match &param.ty {
