@@ -6,9 +6,11 @@
 )]
 
 pub mod args;
+pub mod commands;
 pub mod exit;
 pub mod folder;
 pub mod output;
+pub mod sources;
 
 use std::ffi::OsString;
 
@@ -21,13 +23,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
         Ok(cli) => cli,
         Err(error) => return answer(&error),
     };
-    let command = match cli.command {
-        Command::Check(_) => "check",
-        Command::Build(_) => "build",
-        Command::Explain(_) => "explain",
-    };
-    output::message(&format!("error: `ifs {command}` is not in this version of the program\n"));
-    Exit::Usage
+    match &cli.command {
+        Command::Check(check) => commands::check::check(check, cli.message_format),
+        Command::Build(_) => Exit::Usage,
+        Command::Explain(explain) => commands::explain::explain(explain),
+    }
 }
 
 /// Prints what clap has to say: help and version on stdout, wrong usage on stderr.

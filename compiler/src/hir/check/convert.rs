@@ -26,8 +26,8 @@ impl Checker<'_> {
         match self.fit(&value.ty, expected) {
             Fit::Yes => value,
             Fit::Checked => {
-                let span = value.span;
-                Expr { kind: ExprKind::Convert(Box::new(value)), ty: expected.clone(), span }
+                let (span, ty) = (value.span, narrowed(&value.ty, expected));
+                Expr { kind: ExprKind::Convert(Box::new(value)), ty, span }
             }
             Fit::No => {
                 self.mismatch(&value, expected);
@@ -97,6 +97,16 @@ impl Checker<'_> {
             })),
             _ => None,
         }
+    }
+}
+
+/// The type that a place needs, with what is known of the space the value lives in.
+fn narrowed(from: &Type, to: &Type) -> Type {
+    let space = from.point_space().zip(to.point_space()).and_then(|(from, to)| from.join(to));
+    match (to, space) {
+        (Type::Point(_), Some(space)) => Type::Point(space),
+        (Type::Vector(_), Some(space)) => Type::Vector(space),
+        _ => to.clone(),
     }
 }
 
