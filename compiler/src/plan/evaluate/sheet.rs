@@ -1,16 +1,19 @@
 //! [`SheetEvaluator`]: the grid of a product of two curves, A·C·Bᵀ window by window, on one grid of shared vertices.
 
+use std::convert::Infallible;
+
 use crate::ifs::Automaton;
 
 use super::super::figure::SheetPlan;
 use super::basis::{Basis, basis};
 use super::combine::combine;
 
-/// Rows of a tile that are worked on together, and a good size of tile for writers.
-pub const TILE_ROWS: usize = 32;
+/// Rows of a tile that are worked on together, and a good size of tile for writers: a tile of 1025 columns stays in the
+/// second cache.
+pub const TILE_ROWS: usize = 16;
 
-/// Doubles of a row that are worked on together: four source rows of 8 KiB fit the first cache with room to write.
-const TILE_WIDTH: usize = 1024;
+/// Doubles of a row that are worked on together, so that the source rows of very wide sheets stay in cache.
+const TILE_WIDTH: usize = 4096;
 
 /// One sheet or tensor product, ready to give its vertices: a grid of `rows()` × `columns()` points in millimetres, row
 /// after row, u along the rows' index. Neighbouring windows share their vertices by index.
@@ -19,6 +22,8 @@ pub struct SheetEvaluator<'a> {
     u: Basis,
     v: Basis,
     windows: (usize, usize),
+    /// The vector instructions of this processor; results are the same bits with any.
+    arch: pulp::Arch,
 }
 
 /// The rows Bᵀ·C of the window at hand, in a ring by net row.
@@ -41,7 +46,7 @@ impl<'a> SheetEvaluator<'a> {
             basis(automaton, plan.v, plan.levels.1)
         };
         let windows = (plan.net_rows - u.columns + 1, plan.net_columns - v.columns + 1);
-        SheetEvaluator { plan, u, v, windows }
+        SheetEvaluator { plan, u, v, windows, arch: pulp::Arch::new() }
     }
 
     /// Vertices along u.
@@ -54,18 +59,16 @@ impl<'a> SheetEvaluator<'a> {
         self.windows.1 * (self.v.rows - 1) + 1
     }
 
-    /// Writes all vertices into `grid`, which keeps its memory when it has the right length already: a buffer that is
-    /// used again costs no first touch of fresh pages.
+    /// Writes all vertices into `grid`, whose memory is used again where it suffices: fresh pages cost more than the
+    /// evaluation. Tiles are made in cache and copied: faster than storing each row where it will lie, since a long
+    /// copy need not read what it overwrites.
     pub fn fill(&self, grid: &mut Vec<[f64; 3]>) {
-        let vertices = self.rows() * self.columns();
-        if grid.len() != vertices {
-            // A fresh zeroed buffer: its pages are touched first where they are filled.
-            *grid = vec![[0.0; 3]; vertices];
-        }
-        let mut ring = self.ring();
-        for (tile, out) in grid.chunks_mut(TILE_ROWS * self.columns()).enumerate() {
-            self.fill_rows(&mut ring, tile * TILE_ROWS, out.as_flattened_mut());
-        }
+        grid.clear();
+        grid.reserve_exact(self.rows() * self.columns());
+        let Ok(()) = self.stream(TILE_ROWS, |_, tile| {
+            grid.extend_from_slice(tile);
+            Ok::<(), Infallible>(())
+        });
     }
 
     /// Hands the vertices to `write` in tiles of `tile_rows` rows (the last one shorter), with the index of the tile's
@@ -121,7 +124,7 @@ impl<'a> SheetEvaluator<'a> {
         for left in (0..width).step_by(TILE_WIDTH) {
             let right = (left + TILE_WIDTH).min(width);
             for (row, out) in out.chunks_exact_mut(width).enumerate() {
-                combine(&mut out[left..right], self.u.row(local + row), |i| {
+                combine(self.arch, &mut out[left..right], self.u.row(local + row), |i| {
                     let place = (window + i) % points * width;
                     &ring.rows[place + left..place + right]
                 });

@@ -121,7 +121,7 @@ fn sheets_agree_with_their_definition() {
         agrees(&chaikin(weights(2, &[1, 1, 0]), weights(2, &[0, 1, 1])), &sheet(3, 6, levels, true));
     }
     // Wider than a tile of columns, taller than a tile of rows.
-    agrees(&bspline3_limit(), &sheet(9, 9, (4, 6), true));
+    agrees(&bspline3_limit(), &sheet(9, 9, (3, 8), true));
     let mut mixed = sheet(4, 3, (3, 4), false);
     mixed.v = StateId(1);
     agrees(&alternating(), &mixed);
