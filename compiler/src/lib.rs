@@ -5,6 +5,7 @@
 
 pub mod diagnostic;
 pub mod exact;
+pub mod export;
 pub mod fabricate;
 pub mod geometry;
 pub mod source;
