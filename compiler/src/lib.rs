@@ -6,6 +6,7 @@
 pub mod analysis;
 pub mod diagnostic;
 pub mod exact;
+pub mod export;
 pub mod fabricate;
 pub mod geometry;
 pub mod hir;
