@@ -21,6 +21,7 @@ use crate::hir::{Checked, ModuleSource, check};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
 use crate::syntax::Parse;
+use std::collections::BTreeSet;
 
 /// Everything that is known of a design.
 #[derive(Debug)]
@@ -35,6 +36,8 @@ pub struct Analysis {
     pub hir: Hir,
     /// Its parameters as they are used.
     pub parameters: Vec<ParameterValue>,
+    /// The names of those that were set from outside.
+    pub set_parameters: BTreeSet<String>,
     /// Its plan; none where it has errors.
     pub plan: Option<Lowered>,
     /// What its fabricate blocks make; empty where it has errors.
@@ -76,6 +79,7 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         parse: loaded.parse,
         hir,
         parameters: Vec::new(),
+        set_parameters: overrides.parameters.keys().cloned().collect(),
         plan: None,
         fabrications: Vec::new(),
         diagnostics: Vec::new(),
