@@ -28,6 +28,8 @@ pub(super) enum Look {
     Map,
     /// Boards and planks.
     Timber,
+    /// Every other board or plank, so that joints show.
+    PaleTimber,
 }
 
 /// A model being laid out.
@@ -216,6 +218,7 @@ impl<'a> Layout<'a> {
             Look::Surface => ("surface", [0.55, 0.57, 0.60], true),
             Look::Map => ("planarity", [1.0, 1.0, 1.0], true),
             Look::Timber => ("timber", [0.60, 0.37, 0.16], false),
+            Look::PaleTimber => ("timber, pale", [0.76, 0.52, 0.27], false),
         };
         let [red, green, blue] = colour;
         let material = json::Material {

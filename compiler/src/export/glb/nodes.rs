@@ -15,6 +15,7 @@ use super::edges::EdgeList;
 use super::layout::{Layout, Look, extras};
 use super::piece::{Piece, triangle_count};
 use super::{Curve, Figure, GlbError, MAX_PART_NODES, Model, Panelled, Part, Surface};
+use crate::fabricate::label::Label;
 use crate::geometry::QuadMesh;
 
 /// How far apart the boards, the planarized and the designed surfaces stand, in widths of the whole.
@@ -214,7 +215,7 @@ fn add_parts<'a>(
     let mut shapes: BTreeMap<&[[u32; 3]], Index<json::Accessor>> = BTreeMap::new();
     let mut children = Vec::with_capacity(parts.len());
     let mut offset = 0u64;
-    for part in parts {
+    for (index, part) in parts.iter().enumerate() {
         let Part { label, kind, solid } = part;
         let start = offset;
         offset += solid.vertices.len() as u64 * 12;
@@ -226,7 +227,7 @@ fn add_parts<'a>(
         let indices = *shapes
             .entry(triangles)
             .or_insert_with(|| layout.indices(Piece::Indices(triangles), triangles.len() * 3));
-        let faces = layout.primitive(Mode::Triangles, Look::Timber, positions, Some(indices));
+        let faces = layout.primitive(Mode::Triangles, timber(label, index), positions, Some(indices));
         let node = layout.node(&label.address, vec![faces]);
         let (address, alias) = (label.address.as_str(), label.alias.as_str());
         describe(layout, node, &PartExtras { kind: kind.name(), address, alias })?;
@@ -236,6 +237,12 @@ fn add_parts<'a>(
         node.children = Some(children);
     }
     Ok(place)
+}
+
+/// Two shades in turn: as on a chessboard where boards have rows and columns, else one after the other.
+fn timber(label: &Label, index: usize) -> Look {
+    let place = label.row.zip(label.column).map_or(index, |(row, column)| (row ^ column) as usize);
+    if place.is_multiple_of(2) { Look::Timber } else { Look::PaleTimber }
 }
 
 /// All parts as one mesh, and a table that says which indices are whose.

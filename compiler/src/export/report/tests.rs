@@ -1,7 +1,7 @@
 //! A small report, read back.
 
 use super::*;
-use crate::fabricate::checks::{Limit, planarity::planarity};
+use crate::fabricate::checks::{CheckResult, Limit, Measured, planarity::planarity};
 use crate::fabricate::label::Label;
 use crate::fabricate::material::Material;
 use crate::fabricate::panel::{Grain, PanelSettings, Side, panels};
