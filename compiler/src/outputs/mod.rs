@@ -29,6 +29,11 @@ pub struct Selection {
 impl Selection {
     /// Everything.
     pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, json: true };
+
+    /// Whether nothing is wanted.
+    pub fn is_empty(self) -> bool {
+        !(self.glb || self.nc || self.csv || self.json)
+    }
 }
 
 /// One file of a build.
