@@ -16,8 +16,6 @@ mod operators;
 mod primitive;
 mod recovery;
 mod sequence;
-#[cfg(test)]
-mod tests;
 mod types;
 mod values;
 

@@ -1,9 +1,8 @@
 //! Brackets: matched before the tree is built, so that the grammar only ever sees balanced ones, nested no deeper than
 //! it can bear. What is missing is put in, what is left over is left out, and each is said once.
 
+mod block;
 mod matcher;
-#[cfg(test)]
-mod tests;
 
 use super::lexeme::{Placed, begins_item};
 use super::limits::Said;
