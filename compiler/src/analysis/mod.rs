@@ -84,8 +84,10 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         fabrications: Vec::new(),
         diagnostics: Vec::new(),
     };
-    // A design with errors is not worked out: what it means is not known.
-    if !diagnostics.has_errors() {
+    // A design with errors is not worked out: what it means is not known. But each ifs stands for itself.
+    if diagnostics.has_errors() {
+        diagnostics.extend(check_weights(&analysis.hir, overrides));
+    } else {
         let evaluated = evaluate(&analysis.hir, overrides, true);
         diagnostics.extend(evaluated.diagnostics);
         analysis.parameters = evaluated.parameters;
@@ -131,6 +133,15 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
     }
     evaluated.diagnostics.extend(diagnostics.finish());
     evaluated
+}
+
+/// Checks the weights of every ifs of the design for all values of its parameters.
+fn check_weights(hir: &Hir, overrides: &Overrides) -> Vec<Diagnostic> {
+    let mut evaluator = Evaluator::new(hir, overrides);
+    for (id, _) in hir.own_items() {
+        evaluator.check_symbolically(id);
+    }
+    evaluator.finish()
 }
 
 fn parameters(hir: &Hir, evaluator: &mut Evaluator<'_>) -> Vec<ParameterValue> {
