@@ -4,6 +4,7 @@ mod language;
 mod lexing;
 mod limits;
 mod messages;
+mod pages;
 mod printer;
 mod properties;
 mod recovery;

@@ -236,7 +236,7 @@ fn missing_part(scene: &Scene<'_>) -> Option<Way> {
         return say("a limit is written `<= 600mm`, or `in 150mm .. 1200mm`");
     }
     if has(Expected::In) && !has(Expected::Space) {
-        return say("write `for i in 0..7`");
+        return say("a name runs over a range or a list with `in`: `i in 0..7`");
     }
     None
 }

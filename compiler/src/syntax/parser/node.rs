@@ -77,7 +77,7 @@ impl Node {
 fn too_deep(span: Span) -> Diagnostic {
     Diagnostic::new(Code::E0107, span, format!("this expression is nested more than {MAX_DEPTH} deep"))
         .note("every operator of a chain counts, and every bracket")
-        .hint("give a part of it a name with `let`, or add up a list")
+        .hint("give a part of it a name with `let`")
 }
 
 /// The expressions of nodes.

@@ -137,10 +137,11 @@ fn list_node(content: Option<(Node, Option<Rest>)>, span: Span, progress: &mut P
             Node::made(span, ExprKind::Comprehension { body: first.boxed(), clauses }, depth, progress)
         }
         rest => {
-            let mut all = vec![first];
-            if let Some(Rest::Elements(more)) = rest {
-                all.extend(more);
-            }
+            let mut all = match rest {
+                Some(Rest::Elements(more)) => more,
+                _ => Vec::new(),
+            };
+            all.insert(0, first);
             let depth = Depth::default().with_all(&all);
             Node::made(span, ExprKind::List(expressions(all)), depth, progress)
         }

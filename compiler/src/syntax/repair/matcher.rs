@@ -7,31 +7,31 @@ use crate::syntax::limits::{MAX_DIAGNOSTICS, MAX_NESTING};
 use crate::syntax::token::TokenKind;
 
 /// A bracket that is open.
-struct Open {
-    kind: TokenKind,
-    closer: TokenKind,
-    span: Span,
+pub(super) struct Open {
+    pub(super) kind: TokenKind,
+    pub(super) closer: TokenKind,
+    pub(super) span: Span,
     /// Where it stands in the output.
-    place: usize,
+    pub(super) place: usize,
     /// The indent of the line it stands on.
-    indent: u32,
+    pub(super) indent: u32,
     /// Whether the next line is indented deeper, or what is inside begins on the same line.
-    indented: bool,
+    pub(super) indented: bool,
 }
 
 /// How far doubt and lookahead reach, in lexemes, so that the work stays linear.
-const FAR: usize = 500;
+pub(super) const FAR: usize = 500;
 
 /// A pass and its results.
 pub(super) struct Matcher<'s, 'r> {
-    region: &'r [Placed<'s>],
-    layout: bool,
-    open: Vec<Open>,
-    indent: u32,
+    pub(super) region: &'r [Placed<'s>],
+    pub(super) layout: bool,
+    pub(super) open: Vec<Open>,
+    pub(super) indent: u32,
     /// Where the last outermost brace was closed.
-    block_end: Option<usize>,
+    pub(super) block_end: Option<usize>,
     /// Whether what follows is in doubt, up to the next statement.
-    doubt: bool,
+    pub(super) doubt: bool,
     /// The balanced lexemes.
     pub(super) out: Vec<Placed<'s>>,
     /// What is wrong.
@@ -77,14 +77,6 @@ impl<'s, 'r> Matcher<'s, 'r> {
         lexeme.suspect |= self.doubt;
         self.out.push((lexeme, span));
         at + 1
-    }
-
-    /// The indent of the line after the one `at` stands on, when only little stands between.
-    fn next_line_indent(&self, at: usize) -> Option<u32> {
-        if !self.layout {
-            return None;
-        }
-        self.region[at + 1..].iter().take(FAR).find_map(|(lexeme, _)| lexeme.indent)
     }
 
     /// Matches a closing bracket; `false` if it is left out or was put in another form.
@@ -177,25 +169,8 @@ impl<'s, 'r> Matcher<'s, 'r> {
         self.doubt = true;
     }
 
-    /// Closes what cannot be open here: `let` stands in the outermost braces or in none, `->` after parameters, and
-    /// `{` directly after a value begins the block of an item.
-    fn end_by_meaning(&mut self, lexeme: Lexeme<'_>, span: Span) {
-        let brace = self.open.first().is_some_and(|open| open.kind == TokenKind::OpenBrace);
-        let keyword = self.region.iter().map(|(first, _)| first.kind).find(|kind| *kind != TokenKind::Pub);
-        let other = keyword
-            .is_some_and(|kind| kind.is_keyword() && !matches!(kind, TokenKind::Ifs | TokenKind::Test));
-        let outer = brace && !other;
-        let keep = match lexeme.kind {
-            TokenKind::Let => usize::from(outer),
-            TokenKind::Arrow => 0,
-            TokenKind::OpenBrace if !brace && self.out.last().is_some_and(|(last, _)| ends_value(*last)) => 0,
-            _ => return,
-        };
-        self.unclosed_above(keep, span);
-    }
-
     /// Closes all but the first `keep` open brackets before `found`.
-    fn unclosed_above(&mut self, keep: usize, found: Span) {
+    pub(super) fn unclosed_above(&mut self, keep: usize, found: Span) {
         while self.open.len() > keep {
             if let Some(open) = self.open.pop() {
                 self.unclosed(&open, found);
@@ -203,32 +178,8 @@ impl<'s, 'r> Matcher<'s, 'r> {
         }
     }
 
-    /// Closes the brackets which, by the indent of the line that begins at `at`, have ended.
-    fn end_by_layout(&mut self, at: usize, indent: u32) {
-        let (lexeme, span) = self.region[at];
-        while let Some(open) = self.open.last() {
-            let begins = lexeme.kind == TokenKind::Let
-                || lexeme.role != Role::Plain
-                || open.kind == TokenKind::OpenBrace && !lexeme.kind.is_closer();
-            let own_closer = lexeme.kind == open.closer && indent >= open.indent;
-            let others = self.open.iter().filter(|other| other.kind == open.kind).count();
-            let outer_closer = lexeme.kind == open.closer && indent < open.indent && others > 1;
-            let fits = if open.kind == TokenKind::OpenBrace { open.indented } else { !own_closer };
-            let ended = indent <= open.indent && fits && (begins && !own_closer || outer_closer);
-            let goes_on = |last: TokenKind| last == TokenKind::Comma || last.closer().is_some();
-            let fresh =
-                lexeme.role != Role::Label || self.out.last().is_some_and(|(last, _)| !goes_on(last.kind));
-            if !ended || !(fresh || open.kind == TokenKind::OpenBrace) {
-                return;
-            }
-            if let Some(open) = self.open.pop() {
-                self.unclosed(&open, span);
-            }
-        }
-    }
-
     /// Puts in what closes `open`, and says that it was missing before `found`.
-    fn unclosed(&mut self, open: &Open, found: Span) {
+    pub(super) fn unclosed(&mut self, open: &Open, found: Span) {
         let place = self.put(open.closer, open.span);
         self.distrust(open.place, false);
         let closer = open.closer.text().unwrap_or_default();
@@ -333,12 +284,6 @@ fn begins_statement(lexeme: Lexeme<'_>) -> bool {
         Role::Label => lexeme.indent.is_some(),
         _ => true,
     }
-}
-
-/// Whether a value can end with this.
-fn ends_value(lexeme: Lexeme<'_>) -> bool {
-    use TokenKind::*;
-    matches!(lexeme.kind, Name | Number(_) | Text | CloseParenthesis | CloseBracket | Itself | True | False)
 }
 
 /// A lexeme that the text does not have.

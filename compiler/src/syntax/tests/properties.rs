@@ -2,7 +2,8 @@
 
 use super::language::PROGRAMS;
 use super::parsed;
-use crate::source::{FileId, Source};
+use crate::diagnostic::{HumanStyle, render_human};
+use crate::source::{FileId, Source, SourceMap};
 use crate::syntax::ast::{Item, ItemKind};
 use crate::syntax::{Parse, Token, parse};
 use proptest::prelude::*;
@@ -167,8 +168,14 @@ proptest! {
     }
 
     #[test]
-    fn any_pieces_have_a_tree(text in soup()) {
-        check(&text);
+    fn any_pieces_have_a_tree_and_messages_that_can_be_drawn(text in soup()) {
+        let parse = check(&text);
+        let mut sources = SourceMap::default();
+        sources.add("a.ifs", text);
+        for found in &parse.diagnostics {
+            let shown = render_human(found, &sources, HumanStyle { color: false, unicode: true });
+            prop_assert!(shown.contains(found.code.name()));
+        }
     }
 
     #[test]
