@@ -21,6 +21,7 @@ use crate::hir::{Checked, ModuleSource, check};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
 use crate::syntax::Parse;
+use crate::syntax::ast::ItemKind as ItemKindOf;
 use std::collections::BTreeSet;
 
 /// Everything that is known of a design.
@@ -71,7 +72,9 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         modules.extend(loaded.library.modules().map(|(name, file, ast)| ModuleSource { name, file, ast }));
         check(&modules)
     };
-    diagnostics.extend(found);
+    // An item that could not be read has lost its name: that others cannot find it is no mistake of theirs.
+    let lost = loaded.parse.ast.items.iter().any(|item| item.kind == ItemKindOf::Error);
+    diagnostics.extend(found.into_iter().filter(|diagnostic| !(lost && diagnostic.code == Code::E0301)));
     diagnostics.extend(unknown_parameters(&hir, overrides));
     let mut analysis = Analysis {
         sources: loaded.sources,
