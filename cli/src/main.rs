@@ -1,3 +1,7 @@
-//! The `ifs` program: arguments, files, progress, exit codes. The truth about a design is in the compiler.
+//! The `ifs` program. Everything is in the library beside it, where tests reach it.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ifs_cli::run(std::env::args_os()).into()
+}

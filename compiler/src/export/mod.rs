@@ -1,4 +1,11 @@
-//! The bytes of every output: one file per format. Nothing is computed here that a part or a mesh does not already
-//! say, and nothing is written to disk.
+//! The bytes of each output, one file per format. The structures serde writes live beside their format. Nothing here
+//! opens a file, and nothing here decides: what is written was measured before.
 
+pub mod csv;
+pub mod cut_list;
+pub mod glb;
 pub mod nc;
+pub mod number;
+pub mod part;
+pub mod planarity_csv;
+pub mod report;

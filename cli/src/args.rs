@@ -1,0 +1,204 @@
+//! The command line: what may be asked of the program. Nothing is done here.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// A compiler for free-form timber: from a design in equations to models, lists and machine programs.
+#[derive(Debug, Clone, PartialEq, Parser)]
+#[command(name = "ifs", version, about, disable_help_subcommand = true)]
+pub struct Cli {
+    /// How diagnostics are printed
+    #[arg(long, global = true, value_enum, value_name = "FORMAT", default_value_t = MessageFormat::Human)]
+    pub message_format: MessageFormat,
+
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What the program does.
+#[derive(Debug, Clone, PartialEq, Subcommand)]
+pub enum Command {
+    /// Print all diagnostics of designs; write nothing
+    Check(Check),
+    /// Build a design's outputs
+    Build(Build),
+    /// Explain a diagnostic code
+    Explain(Explain),
+}
+
+/// `ifs check`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Check {
+    /// Design files; `-` is the standard input
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+
+    /// Give a parameter another value; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
+}
+
+/// `ifs build`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Build {
+    /// The design file; `-` is the standard input
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+
+    /// The output folder; `out/` and the design's name where it is not given
+    #[arg(short = 'o', long = "out", value_name = "DIR")]
+    pub out: Option<PathBuf>,
+
+    /// Give a parameter another value; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
+
+    /// Make only these outputs, separated by commas; all files where it is not given
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "OUTPUT")]
+    pub emit: Vec<Emit>,
+}
+
+/// `ifs explain`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Explain {
+    /// The code of a diagnostic, as it is printed: E0101
+    #[arg(value_name = "CODE")]
+    pub code: String,
+}
+
+/// How diagnostics are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MessageFormat {
+    /// With the source text, for people
+    Human,
+    /// One line each
+    Short,
+    /// One JSON object a line, for programs
+    Json,
+}
+
+/// An output that can be asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub enum Emit {
+    /// The model, model.glb
+    Glb,
+    /// Machine programs, boards/*.nc
+    Nc,
+    /// Lists: cutlist.csv, planarity.csv
+    Csv,
+    /// The report for programs, report.json
+    Json,
+    /// The plan, printed on the standard output
+    Plan,
+}
+
+/// A parameter's value from outside: `span=7m`. The value is text in the language; the compiler reads it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Setting {
+    /// The parameter's name.
+    pub name: String,
+    /// Its value, as written.
+    pub value: String,
+}
+
+impl std::str::FromStr for Setting {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Setting, String> {
+        let Some((name, value)) = text.split_once('=') else {
+            return Err("a setting is a name, `=` and a value, as in span=7m".to_owned());
+        };
+        let (name, value) = (name.trim(), value.trim());
+        let begins = name.starts_with(|c: char| c.is_ascii_lowercase() || c == '_');
+        if !begins || !name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_') {
+            return Err(format!(
+                "`{name}` is not the name of a parameter: those are snake_case, as in span=7m"
+            ));
+        }
+        if value.is_empty() {
+            return Err(format!("`{name}` has no value: write it after the `=`, as in span=7m"));
+        }
+        Ok(Setting { name: name.to_owned(), value: value.to_owned() })
+    }
+}
+
+impl Cli {
+    /// Reads the arguments and checks what clap cannot: no parameter is set twice.
+    ///
+    /// # Errors
+    /// Wrong usage; also the texts of `--help` and `--version`, which clap hands back the same way.
+    pub fn read(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> Result<Cli, clap::Error> {
+        let cli = Cli::try_parse_from(arguments)?;
+        let settings = match &cli.command {
+            Command::Check(check) => check.settings.as_slice(),
+            Command::Build(build) => build.settings.as_slice(),
+            Command::Explain(_) => &[],
+        };
+        for (index, setting) in settings.iter().enumerate() {
+            if settings[..index].iter().any(|earlier| earlier.name == setting.name) {
+                let text = format!("the parameter `{}` is set twice\n", setting.name);
+                return Err(clap::Error::raw(clap::error::ErrorKind::ArgumentConflict, text));
+            }
+        }
+        Ok(cli)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(line: &str) -> Result<Cli, clap::Error> {
+        Cli::read(line.split_whitespace().map(std::ffi::OsString::from))
+    }
+
+    #[test]
+    fn the_declaration_is_sound() {
+        <Cli as clap::CommandFactory>::command().debug_assert();
+    }
+
+    #[test]
+    fn build_takes_what_the_page_says() {
+        let cli = read(
+            "ifs build a.ifs -o out/a --set span=7m --set rise=2*1m --emit glb,nc --message-format json",
+        );
+        let cli = cli.unwrap();
+        assert_eq!(cli.message_format, MessageFormat::Json);
+        let Command::Build(build) = cli.command else { panic!("not build") };
+        assert_eq!(build.file, PathBuf::from("a.ifs"));
+        assert_eq!(build.out, Some(PathBuf::from("out/a")));
+        assert_eq!(build.emit, [Emit::Glb, Emit::Nc]);
+        assert_eq!(build.settings[1], Setting { name: "rise".into(), value: "2*1m".into() });
+    }
+
+    #[test]
+    fn check_takes_several_files() {
+        let Command::Check(check) = read("ifs --message-format short check a.ifs - b.ifs").unwrap().command
+        else {
+            panic!("not check")
+        };
+        assert_eq!(check.files.len(), 3);
+    }
+
+    #[test]
+    fn wrong_usage_is_told() {
+        for (line, part) in [
+            ("ifs", "Usage"),
+            ("ifs check", "FILE"),
+            ("ifs build a.ifs b.ifs", "b.ifs"),
+            ("ifs build a.ifs --emit png", "png"),
+            ("ifs build a.ifs --set span", "a name, `=` and a value"),
+            ("ifs build a.ifs --set Span=1", "snake_case"),
+            ("ifs build a.ifs --set =1", "snake_case"),
+            ("ifs build a.ifs --set span=", "no value"),
+            ("ifs build a.ifs --set a=1 --set a=2", "set twice"),
+            ("ifs chekc a.ifs", "check"),
+        ] {
+            let error = read(line).unwrap_err();
+            assert_eq!(error.exit_code(), 2, "{line}");
+            assert!(error.to_string().contains(part), "{line}: {error}");
+        }
+    }
+}

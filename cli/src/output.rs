@@ -1,0 +1,26 @@
+//! Printing: data on stdout, messages on stderr. A reader that goes away is not an error and never a panic.
+
+use std::io::{self, Write};
+
+use crate::exit::Exit;
+
+/// Prints data on stdout, as it is.
+///
+/// # Errors
+/// [`Exit::InputOutput`] if stdout takes no more (a full disk), after saying so on stderr. A closed pipe, as of
+/// `ifs build … | head -1`, is no error: whoever read has what they wanted.
+pub fn data(text: &str) -> Result<(), Exit> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            message(&format!("error: could not write to the standard output: {error}\n"));
+            Err(Exit::InputOutput)
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Prints a message on stderr, as it is. If stderr is closed there is nobody to tell.
+pub fn message(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}

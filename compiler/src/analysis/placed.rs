@@ -1,0 +1,63 @@
+//! Figures worked out in space: points of curves, quads of surfaces, and what each element is called.
+
+use crate::fabricate::label::Label;
+use crate::geometry::{Grid, QuadMesh, grid::Closed};
+use crate::plan::address::{Address, FigureAddresses};
+use crate::plan::evaluate::{SheetEvaluator, basis, curve_points};
+use crate::plan::{FigurePlan, Plan, Shape};
+use glam::DVec3;
+
+/// A figure in space, mm.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FigureGeometry {
+    /// The points of a chain of segments.
+    Curve(Vec<DVec3>),
+    /// The quads of a surface, row by row.
+    Surface(QuadMesh),
+}
+
+/// A figure of a plan in space; `None` where its coordinates are beyond what a mesh holds.
+pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometry> {
+    match &figure.shape {
+        Shape::Curve { state, points, level, .. } => {
+            let basis = basis(plan.automaton(), *state, *level);
+            let points: Vec<DVec3> = curve_points(&basis, points).into_iter().map(DVec3::from_array).collect();
+            points.iter().all(|point| point.is_finite()).then_some(FigureGeometry::Curve(points))
+        }
+        Shape::Sheet(sheet) => {
+            let evaluator = SheetEvaluator::new(plan.automaton(), sheet);
+            let mut buffer = Vec::new();
+            evaluator.fill(&mut buffer);
+            let points = buffer.into_iter().map(DVec3::from_array).collect();
+            let grid = Grid::try_new(evaluator.rows(), evaluator.columns(), points).ok()?;
+            grid.to_mesh(Closed::NONE).ok().map(FigureGeometry::Surface)
+        }
+    }
+}
+
+/// The names of a curve's segments, in order.
+pub(super) fn segment_labels(plan: &Plan, figure: &FigurePlan, count: usize) -> Vec<Label> {
+    let addresses = FigureAddresses::new(plan.automaton(), figure);
+    (0..count as u64).filter_map(|index| addresses.segment(index)).map(|address| label(&address, None)).collect()
+}
+
+/// The names of a surface's quads, row by row.
+pub(super) fn quad_labels(plan: &Plan, figure: &FigurePlan, rows: u64, columns: u64) -> Vec<Label> {
+    let addresses = FigureAddresses::new(plan.automaton(), figure);
+    let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+    places
+        .filter_map(|(row, column)| {
+            let address = addresses.quad(row, column)?;
+            Some(label(&address, Some((row as u32, column as u32))))
+        })
+        .collect()
+}
+
+fn label(address: &Address, place: Option<(u32, u32)>) -> Label {
+    Label {
+        address: address.to_string(),
+        alias: address.alias.clone(),
+        row: place.map(|(row, _)| row),
+        column: place.map(|(_, column)| column),
+    }
+}

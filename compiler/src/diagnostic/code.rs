@@ -1,0 +1,160 @@
+//! The table of codes: every diagnostic there is, declared once, with its page of documentation.
+
+/// How grave a diagnostic is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// The design cannot be built.
+    Error,
+    /// The design can be built, but it may not be what was meant.
+    Warning,
+}
+
+macro_rules! codes {
+    ($($code:ident $severity:ident $title:literal,)*) => {
+        /// The code of a diagnostic; stable for ever.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Code {
+            $(#[doc = $title] $code,)*
+        }
+
+        impl Code {
+            /// Every code, in order.
+            pub const ALL: &[Code] = &[$(Code::$code,)*];
+
+            /// The code as it is printed.
+            pub fn name(self) -> &'static str {
+                match self { $(Code::$code => stringify!($code),)* }
+            }
+
+            /// How grave it is.
+            pub fn severity(self) -> Severity {
+                match self { $(Code::$code => Severity::$severity,)* }
+            }
+
+            /// What it says, in one line.
+            pub fn title(self) -> &'static str {
+                match self { $(Code::$code => $title,)* }
+            }
+
+            /// Its page of documentation, Markdown.
+            pub fn page(self) -> &'static str {
+                match self {
+                    $(Code::$code => include_str!(concat!("../../../docs/diagnostics/", stringify!($code), ".md")),)*
+                }
+            }
+        }
+    };
+}
+
+codes! {
+    // Not in the language yet.
+    E0001 Error "this part of the language is not available yet",
+
+    // Text and tokens.
+    E0101 Error "the file is not UTF-8 text",
+    E0102 Error "a character that the language does not use",
+    E0103 Error "a text without its closing quote",
+    E0104 Error "a number that is too large or too long",
+    E0105 Error "an unknown unit",
+    E0106 Error "a bidirectional control character",
+    E0107 Error "brackets nested too deeply",
+    E0108 Error "the file is too large",
+
+    // Grammar.
+    E0201 Error "something else was expected here",
+    E0202 Error "a bracket that is never closed",
+    E0203 Error "a closing bracket that opens nothing",
+    E0204 Error "`//!` after the first item",
+    E0205 Error "a name in the wrong case",
+    E0206 Error "an unknown measure in a requirement",
+
+    // Names and modules.
+    E0301 Error "an unknown name",
+    E0302 Error "a name that is declared twice",
+    E0303 Error "an unknown module",
+    E0304 Error "a module has no such public item",
+    E0305 Error "a definition that depends on itself",
+    E0306 Error "a file that cannot be read",
+    W0307 Warning "an import that is never used",
+    W0308 Warning "a name of the library that is not imported",
+
+    // Types and dimensions.
+    E0401 Error "a value of another type is needed here",
+    E0402 Error "an operator does not fit its operands",
+    E0403 Error "a missing argument or field",
+    E0404 Error "an argument or field that does not exist",
+    E0405 Error "an argument or field given twice",
+    E0406 Error "too many arguments",
+    E0407 Error "there is no such field",
+    E0408 Error "something that cannot be called",
+    E0409 Error "an unknown type",
+    E0410 Error "the elements of a list differ in type",
+    E0411 Error "an unknown choice",
+
+    // Affine weights and iterated function systems.
+    E0501 Error "weights that do not sum to 1",
+    E0502 Error "weights that do not sum to 0 where a vector is needed",
+    E0503 Error "a transform lists the wrong number of control points",
+    E0504 Error "an ifs is placed on the wrong number of control points",
+    E0505 Error "the pieces of a curve do not meet",
+    E0506 Error "neighbouring windows of a sheet do not meet",
+    E0507 Error "an ifs without germ or without transforms",
+    W0508 Warning "the transforms do not contract: there is no limit figure",
+    W0509 Warning "the contraction could not be proved",
+    E0510 Error "a control net of the wrong shape",
+
+    // Values.
+    E0601 Error "a parameter out of its range",
+    E0602 Error "an index out of range",
+    E0603 Error "a division by zero",
+    E0604 Error "a value outside the domain of a function",
+    E0605 Error "an unknown parameter is set",
+    E0606 Error "a text that is no value of the parameter's type",
+    E0607 Error "a range that is empty or has no end",
+
+    // Limits.
+    E0701 Error "more elements than the limit",
+    E0702 Error "more states than the limit",
+    E0703 Error "an evaluation longer than the limit",
+    E0704 Error "a list longer than the limit",
+
+    // Figures and fabrication.
+    E0801 Error "a figure without a level",
+    E0802 Error "a figure that cannot be made of these elements",
+    E0803 Error "a figure that is fabricated twice",
+    E0804 Error "a setting that cannot be used",
+    E0805 Error "a board that cannot be made",
+    E0806 Error "a requirement that does not apply to these elements",
+    E0810 Error "`require planarity` fails",
+    E0811 Error "`require edge` fails",
+    E0812 Error "`require length` fails",
+    E0813 Error "`require mitre` fails",
+    E0814 Error "`require overlap` fails",
+    E0815 Error "`require bend radius` fails",
+
+    // NC programs.
+    E0901 Error "an NC program that cannot be made",
+    E0902 Error "an NC program that its read-back refuses",
+}
+
+impl Code {
+    /// The code of this name, in either case.
+    pub fn parse(name: &str) -> Option<Code> {
+        Code::ALL.iter().copied().find(|code| code.name().eq_ignore_ascii_case(name))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_page_names_its_code_and_shows_a_mend() {
+        for code in Code::ALL {
+            let page = code.page();
+            let heading = format!("# {}: {}", code.name(), code.title());
+            assert!(page.starts_with(&heading), "the page of {} starts with `{heading}`", code.name());
+            assert!(page.contains("## How to mend it"), "the page of {} says how to mend it", code.name());
+        }
+    }
+}

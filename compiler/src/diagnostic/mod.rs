@@ -1,0 +1,16 @@
+//! Diagnostics: what is wrong or worth knowing, where, why and how to mend it; and their two forms, for people
+//! and for programs. No check lives here: each lives with what it checks.
+
+mod code;
+mod human;
+mod json;
+mod model;
+mod report;
+mod suggest;
+
+pub use code::{Code, Severity};
+pub use human::{HumanStyle, render_human, render_short};
+pub use json::render_json;
+pub use model::{Diagnostic, Fix, Hint, Label};
+pub use report::{Diagnostics, SHOWN_AT_MOST};
+pub use suggest::{closest, did_you_mean};

@@ -1,0 +1,4 @@
+//! Tests of the exact numbers.
+
+mod polynomials;
+mod rationals;

@@ -1,0 +1,195 @@
+//! Calls: functions, records, ifs with arguments, and the functions of the program.
+
+use super::scope::Symbol;
+use super::{Checker, Frame, error_expr};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::schema::SchemaKind;
+use crate::hir::tree::{Expr, ExprKind, ItemId, ItemKind, SettingValue};
+use crate::hir::types::Type;
+use crate::source::Span;
+use crate::syntax::ast;
+
+impl Checker<'_> {
+    pub(super) fn call(
+        &mut self,
+        frame: &mut Frame,
+        callee: &ast::Expr,
+        arguments: &[ast::Argument],
+        span: Span,
+    ) -> Expr {
+        let ast::ExprKind::Name(name) = &callee.kind else {
+            self.expr(frame, callee, None);
+            return self.not_callable("this", callee.span, span);
+        };
+        if name == "self" {
+            return self.self_with_arguments(frame, callee, arguments, span);
+        }
+        if frame.locals.iter().any(|local| local.name == *name) {
+            return self.not_callable(&format!("`{name}`"), callee.span, span);
+        }
+        match self.symbol(frame.module, name, callee.span) {
+            Some(Symbol::Native(native)) => self.native(frame, native, arguments, span),
+            Some(Symbol::Item(id)) => self.call_item(frame, id, callee.span, arguments, span),
+            Some(Symbol::Later) => self.later(name, callee.span),
+            None => {
+                for argument in arguments {
+                    self.expr(frame, &argument.value, None);
+                }
+                self.unknown(frame, name, callee.span);
+                error_expr(span)
+            }
+        }
+    }
+
+    fn not_callable(&mut self, what: &str, at: Span, span: Span) -> Expr {
+        let message = format!("{what} is no function and cannot be called");
+        self.report(Diagnostic::new(Code::E0408, at, message).label("not a function"));
+        error_expr(span)
+    }
+
+    fn self_with_arguments(
+        &mut self,
+        frame: &mut Frame,
+        callee: &ast::Expr,
+        arguments: &[ast::Argument],
+        span: Span,
+    ) -> Expr {
+        match frame.own_ifs {
+            Some(id) => self.call_item(frame, id, callee.span, arguments, span),
+            None => self.expr(frame, callee, None),
+        }
+    }
+
+    fn call_item(
+        &mut self,
+        frame: &mut Frame,
+        id: ItemId,
+        at: Span,
+        arguments: &[ast::Argument],
+        span: Span,
+    ) -> Expr {
+        let name = self.items[id.0 as usize].name.clone();
+        let kind = &self.declared[id.0 as usize].item.kind;
+        let callable =
+            matches!(kind, ast::ItemKind::Function(_) | ast::ItemKind::Record(_) | ast::ItemKind::Ifs(_));
+        if !callable {
+            return self.not_callable(&format!("`{name}`"), at, span);
+        }
+        self.ensure_checked(id, at);
+        let bound = self.bind_item(frame, id, &name, arguments, span);
+        let Some(values) = bound else { return error_expr(span) };
+        let result = self.signature(id).result.or_else(|| self.types.get(&id).cloned());
+        let (kind, ty) = match self.declared[id.0 as usize].item.kind {
+            ast::ItemKind::Function(_) => (ExprKind::Call(id, values), result.unwrap_or(Type::Error)),
+            ast::ItemKind::Record(_) => (ExprKind::Record(id, values), Type::Record(id)),
+            _ => (ExprKind::Ifs(id, values), Type::Ifs),
+        };
+        Expr { kind, ty, span }
+    }
+
+    /// Every argument with defaults filled in; `None` after a report.
+    fn bind_item(
+        &mut self,
+        frame: &mut Frame,
+        id: ItemId,
+        name: &str,
+        arguments: &[ast::Argument],
+        span: Span,
+    ) -> Option<Vec<Expr>> {
+        let parameters = self.signature(id).parameters;
+        let bound = self.bind(frame, name, &parameters, arguments, span);
+        let values = bound.into_iter().zip(parameters).enumerate().map(|(index, (value, parameter))| match value {
+            Some(value) => Some(value),
+            None if parameter.required => None,
+            None => Some(Expr { kind: ExprKind::Default(id, index), ty: parameter.ty, span }),
+        });
+        values.collect()
+    }
+
+    /// An ifs named without arguments: all have defaults, or it is an error.
+    pub(super) fn ifs_without_arguments(&mut self, id: ItemId, span: Span) -> Expr {
+        let name = self.items[id.0 as usize].name.clone();
+        let mut frame = Frame::new(self.declared[id.0 as usize].module);
+        match self.bind_item(&mut frame, id, &name, &[], span) {
+            Some(values) => Expr { kind: ExprKind::Ifs(id, values), ty: Type::Ifs, span },
+            None => error_expr(span),
+        }
+    }
+
+    /// `{ name: value }`: settings, or a record whose type the place knows.
+    pub(super) fn bare_record(
+        &mut self,
+        frame: &mut Frame,
+        fields: &[ast::Argument],
+        span: Span,
+        expected: Option<&Type>,
+    ) -> Expr {
+        match expected {
+            Some(Type::Settings(kind)) => self.settings(frame, *kind, fields, span),
+            Some(Type::Record(id)) => {
+                let name = self.items[id.0 as usize].name.clone();
+                self.ensure_checked(*id, span);
+                match self.bind_item(frame, *id, &name, fields, span) {
+                    Some(values) => Expr { kind: ExprKind::Record(*id, values), ty: Type::Record(*id), span },
+                    None => error_expr(span),
+                }
+            }
+            _ => {
+                let message = "fields in braces can stand only where the type of the record is known";
+                let diagnostic = Diagnostic::new(Code::E0401, span, message).label("which record?");
+                self.report(diagnostic.hint("name the record: `Radius(across: 1m, along: 2m)`"));
+                error_expr(span)
+            }
+        }
+    }
+
+    fn settings(&mut self, frame: &mut Frame, kind: SchemaKind, fields: &[ast::Argument], span: Span) -> Expr {
+        let mut values: Vec<SettingValue> = Vec::new();
+        for field in fields {
+            let Some(name) = &field.name else {
+                let message = format!("settings of {} are given by name", kind.name());
+                self.report(Diagnostic::new(Code::E0404, field.value.span, message).label("which setting?"));
+                continue;
+            };
+            if let Some(value) = self.setting(frame, kind, name, &field.value, &values) {
+                values.push(value);
+            }
+        }
+        Expr { kind: ExprKind::Settings(kind, values), ty: Type::Settings(kind), span }
+    }
+
+    pub(super) fn field(&mut self, frame: &mut Frame, base: &ast::Expr, name: &ast::Name, span: Span) -> Expr {
+        let base = self.expr(frame, base, None);
+        if base.ty == Type::Error {
+            return error_expr(span);
+        }
+        let (record, each) = match &base.ty {
+            Type::Record(id) => (Some(*id), false),
+            Type::List(element) => match **element {
+                Type::Record(id) => (Some(id), true),
+                _ => (None, true),
+            },
+            _ => (None, false),
+        };
+        let Some(id) = record else {
+            let ty = self.type_name(&base.ty);
+            let message = format!("a {ty} has no fields");
+            self.report(Diagnostic::new(Code::E0407, name.span, message).label(format!("no field of a {ty}")));
+            return error_expr(span);
+        };
+        self.ensure_checked(id, span);
+        let ItemKind::Record(fields) = &self.items[id.0 as usize].kind else { return error_expr(span) };
+        let Some(index) = fields.iter().position(|field| field.name == name.text) else {
+            let known: Vec<String> = fields.iter().map(|field| field.name.clone()).collect();
+            let record = self.items[id.0 as usize].name.clone();
+            self.unknown_word(Code::E0407, name, &format!("field of `{record}`"), known.iter().map(String::as_str));
+            return error_expr(span);
+        };
+        let ty = fields[index].ty.clone();
+        let base = Box::new(base);
+        if each {
+            return Expr { kind: ExprKind::EachField(base, index), ty: Type::List(Box::new(ty)), span };
+        }
+        Expr { kind: ExprKind::Field(base, index), ty, span }
+    }
+}

@@ -1,0 +1,134 @@
+//! Lists, comprehensions, ranges, elements and slices.
+
+use super::{Checker, Frame, error_expr};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::tree::{Clause, Expr, ExprKind};
+use crate::hir::types::Type;
+use crate::source::Span;
+use crate::syntax::ast;
+
+impl Checker<'_> {
+    pub(super) fn list(
+        &mut self,
+        frame: &mut Frame,
+        elements: &[ast::Expr],
+        span: Span,
+        expected: Option<&Type>,
+    ) -> Expr {
+        let wanted = element_of(expected);
+        let elements: Vec<Expr> = elements.iter().map(|element| self.expr(frame, element, wanted)).collect();
+        let mut ty = Type::Error;
+        for element in &elements {
+            let Some(joined) = ty.join(&element.ty) else {
+                let (first, other) = (self.type_name(&ty), self.type_name(&element.ty));
+                let message = format!("the elements of a list are of one type, but these are {first} and {other}");
+                let diagnostic = Diagnostic::new(Code::E0410, element.span, message).label(other);
+                self.report(diagnostic.also(elements[0].span, first));
+                return error_expr(span);
+            };
+            ty = joined;
+        }
+        if elements.is_empty()
+            && let Some(wanted) = wanted
+        {
+            ty = wanted.clone();
+        }
+        Expr { kind: ExprKind::List(elements), ty: Type::List(Box::new(ty)), span }
+    }
+
+    pub(super) fn comprehension(
+        &mut self,
+        frame: &mut Frame,
+        body: &ast::Expr,
+        clauses: &[ast::Clause],
+        span: Span,
+        expected: Option<&Type>,
+    ) -> Expr {
+        let outer = frame.locals.len();
+        let mut checked = Vec::new();
+        for clause in clauses {
+            match clause {
+                ast::Clause::For(name, over) => {
+                    let over = self.expr(frame, over, None);
+                    let ty = self.iterated(&over);
+                    checked.push(Clause::For(frame.declare(name, ty), over));
+                }
+                ast::Clause::If(condition) => {
+                    checked.push(Clause::If(self.expect(frame, condition, &Type::Bool)));
+                }
+            }
+        }
+        let body = self.expr(frame, body, element_of(expected));
+        frame.locals.truncate(outer);
+        let ty = Type::List(Box::new(body.ty.clone()));
+        Expr { kind: ExprKind::Comprehension(Box::new(body), checked), ty, span }
+    }
+
+    fn iterated(&mut self, over: &Expr) -> Type {
+        match &over.ty {
+            Type::IntRange => Type::Int,
+            Type::List(element) => (**element).clone(),
+            Type::Error => Type::Error,
+            other => {
+                let name = self.type_name(other);
+                let message = format!("`for` goes through a range or a list, but this is a {name}");
+                let diagnostic = Diagnostic::new(Code::E0401, over.span, message).label(format!("a {name}"));
+                self.report(diagnostic.hint("write `0..n` for the numbers from 0 to n - 1"));
+                Type::Error
+            }
+        }
+    }
+
+    pub(super) fn range(&mut self, frame: &mut Frame, range: &ast::RangeExpr, span: Span) -> Expr {
+        let from = self.expect(frame, &range.from, &Type::Int);
+        let to = self.expect(frame, &range.to, &Type::Int);
+        Expr { kind: ExprKind::Range(Box::new(from), Box::new(to)), ty: Type::IntRange, span }
+    }
+
+    pub(super) fn index(&mut self, frame: &mut Frame, base: &ast::Expr, indices: &[ast::Expr], span: Span) -> Expr {
+        let base = self.expr(frame, base, None);
+        let indices: Vec<Expr> = indices.iter().map(|index| self.expr(frame, index, None)).collect();
+        if base.ty == Type::Error || indices.iter().any(|index| index.ty == Type::Error) {
+            return error_expr(span);
+        }
+        let mut ty = base.ty.clone();
+        for index in &indices {
+            match ty {
+                Type::List(element) => ty = *element,
+                other => return self.not_a_list(&other, index, span),
+            }
+        }
+        match indices.iter().position(|index| index.ty != Type::IntRange) {
+            None if !indices.is_empty() => {
+                let ty = base.ty.clone();
+                Expr { kind: ExprKind::Slice(Box::new(base), indices), ty, span }
+            }
+            _ if indices.iter().all(|index| index.ty == Type::Int) => indices.into_iter().fold(base, |list, index| {
+                let Type::List(element) = list.ty.clone() else { return error_expr(span) };
+                Expr { kind: ExprKind::Index(Box::new(list), Box::new(index)), ty: *element, span }
+            }),
+            _ => {
+                let at = indices.iter().find(|index| !matches!(index.ty, Type::Int | Type::IntRange));
+                let at = at.or(indices.first()).map_or(span, |index| index.span);
+                let message = "in brackets stand whole numbers, or ranges of them, not both";
+                let diagnostic = Diagnostic::new(Code::E0401, at, message).label("does not fit here");
+                self.report(diagnostic.hint("`list[3]` is an element, `list[0..4]` a part, `grid[0..4, 2..6]` a part of a grid"));
+                error_expr(span)
+            }
+        }
+    }
+
+    fn not_a_list(&mut self, ty: &Type, index: &Expr, span: Span) -> Expr {
+        let name = self.type_name(ty);
+        let message = format!("a {name} has no elements");
+        self.report(Diagnostic::new(Code::E0401, index.span, message).label("nothing to pick from"));
+        error_expr(span)
+    }
+}
+
+fn element_of(expected: Option<&Type>) -> Option<&Type> {
+    match expected {
+        Some(Type::List(element)) => Some(element),
+        _ => None,
+    }
+}

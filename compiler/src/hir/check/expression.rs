@@ -1,0 +1,144 @@
+//! Expressions: which kind goes where.
+
+use super::{Checker, Frame, error_expr};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::exact::Rational;
+use crate::hir::dimension::{Worth, unit_worth};
+use crate::hir::scalar::Scalar;
+use crate::hir::schema::ChoiceKind;
+use crate::hir::tree::{Expr, ExprKind};
+use crate::hir::types::{PointSpace, Type};
+use crate::source::Span;
+use crate::syntax::ast;
+
+impl Checker<'_> {
+    /// The typed expression; `expected` is what the place would like, which settles words and coordinates.
+    pub(super) fn expr(&mut self, frame: &mut Frame, value: &ast::Expr, expected: Option<&Type>) -> Expr {
+        stacker::maybe_grow(128 * 1024, 1024 * 1024, || self.expr_here(frame, value, expected))
+    }
+
+    fn expr_here(&mut self, frame: &mut Frame, value: &ast::Expr, expected: Option<&Type>) -> Expr {
+        let span = value.span;
+        match &value.kind {
+            ast::ExprKind::Error => error_expr(span),
+            ast::ExprKind::Number { digits, unit } => self.number(digits, *unit, span),
+            ast::ExprKind::Text(text) => Expr { kind: ExprKind::Text(text.clone()), ty: Type::Text, span },
+            ast::ExprKind::Bool(truth) => Expr { kind: ExprKind::Bool(*truth), ty: Type::Bool, span },
+            ast::ExprKind::Name(name) => self.word_or_name(frame, name, span, expected),
+            ast::ExprKind::Group(inner) => {
+                let inner = self.expr(frame, inner, expected);
+                Expr { span, ..inner }
+            }
+            ast::ExprKind::Tuple(parts) => self.coordinates(frame, parts, span, expected),
+            ast::ExprKind::List(elements) => self.list(frame, elements, span, expected),
+            ast::ExprKind::Comprehension { body, clauses } => {
+                self.comprehension(frame, body, clauses, span, expected)
+            }
+            ast::ExprKind::Fields(fields) => self.bare_record(frame, fields, span, expected),
+            ast::ExprKind::Call { callee, arguments } => self.call(frame, callee, arguments, span),
+            ast::ExprKind::Field(base, name) => self.field(frame, base, name, span),
+            ast::ExprKind::Index(base, indices) => self.index(frame, base, indices, span),
+            ast::ExprKind::Unary(operator, inner) => self.unary(frame, *operator, inner, span),
+            ast::ExprKind::Binary(operator, at, left, right) => {
+                self.binary(frame, *operator, *at, left, right, span)
+            }
+            ast::ExprKind::Range(range) => self.range(frame, range, span),
+            ast::ExprKind::If(condition, yes, no) => self.condition(frame, [condition, yes, no], span, expected),
+            ast::ExprKind::On(ifs, placement) => self.on(frame, ifs, placement, span),
+            ast::ExprKind::At(figure, level) => self.at(frame, figure, level, span),
+        }
+    }
+
+    fn number(&mut self, digits: &str, unit: Option<ast::Unit>, span: Span) -> Expr {
+        let Ok(value) = Rational::from_decimal(digits) else { return error_expr(span) };
+        let whole = !digits.contains(['.', 'e', 'E']);
+        let (scalar, ty) = match unit {
+            None if whole => (Scalar::Exact(value), Type::Int),
+            None => (Scalar::Exact(value), Type::NUMBER),
+            Some(unit) => {
+                let (dimension, worth) = unit_worth(unit);
+                let scalar = match worth {
+                    Worth::Exact(worth) => Scalar::Exact(&value * &worth),
+                    Worth::TimesPi(worth) => Scalar::Pi(&value * &worth),
+                };
+                (scalar, Type::Quantity(dimension))
+            }
+        };
+        Expr { kind: ExprKind::Scalar(scalar), ty, span }
+    }
+
+    fn word_or_name(&mut self, frame: &mut Frame, name: &str, span: Span, expected: Option<&Type>) -> Expr {
+        if name == "self" {
+            return self.own_ifs(frame, span);
+        }
+        if let Some(Type::Choice(kind)) = expected {
+            return self.word(*kind, name, span);
+        }
+        self.name(frame, name, span)
+    }
+
+    fn word(&mut self, kind: ChoiceKind, name: &str, span: Span) -> Expr {
+        let Some(position) = kind.position(name) else {
+            let words = kind.words().iter().map(|word| word.name);
+            let name = ast::Name { text: name.to_owned(), span };
+            self.unknown_word(Code::E0411, &name, "choice", words);
+            return error_expr(span);
+        };
+        if !kind.words()[position].available {
+            return self.later(name, span);
+        }
+        Expr { kind: ExprKind::Choice(kind, position), ty: Type::Choice(kind), span }
+    }
+
+    fn own_ifs(&mut self, frame: &Frame, span: Span) -> Expr {
+        if frame.own_ifs.is_some() {
+            return Expr { kind: ExprKind::SelfIfs, ty: Type::Ifs, span };
+        }
+        let message = "`self` stands for the ifs around, and there is none here";
+        self.report(Diagnostic::new(Code::E0301, span, message).label("outside of an ifs"));
+        error_expr(span)
+    }
+
+    fn coordinates(&mut self, frame: &mut Frame, parts: &[ast::Expr], span: Span, expected: Option<&Type>) -> Expr {
+        let space = match parts.len() {
+            2 => PointSpace::Plane,
+            3 => PointSpace::Space,
+            count => {
+                let message = format!("a point or vector has two or three coordinates, not {count}");
+                self.report(Diagnostic::new(Code::E0401, span, message).label(format!("{count} values")));
+                return error_expr(span);
+            }
+        };
+        let lengths: Vec<Expr> = parts.iter().map(|part| self.expect(frame, part, &Type::LENGTH)).collect();
+        if lengths.iter().any(|length| length.ty == Type::Error) {
+            return error_expr(span);
+        }
+        match expected {
+            Some(Type::Vector(_)) => Expr { kind: ExprKind::Vector(lengths), ty: Type::Vector(space), span },
+            _ => Expr { kind: ExprKind::Point(lengths), ty: Type::Point(space), span },
+        }
+    }
+
+    fn condition(
+        &mut self,
+        frame: &mut Frame,
+        [condition, yes, no]: [&ast::Expr; 3],
+        span: Span,
+        expected: Option<&Type>,
+    ) -> Expr {
+        let condition = self.expect(frame, condition, &Type::Bool);
+        let yes = self.expr(frame, yes, expected);
+        let no = self.expr(frame, no, expected);
+        let Some(ty) = yes.ty.join(&no.ty) else {
+            let (a, b) = (self.type_name(&yes.ty), self.type_name(&no.ty));
+            let message = format!("both branches must be of one type, but these are {a} and {b}");
+            let diagnostic = Diagnostic::new(Code::E0401, no.span, message).label(b);
+            self.report(diagnostic.also(yes.span, a));
+            return error_expr(span);
+        };
+        let parts = [condition, yes, no].map(Box::new);
+        let [condition, yes, no] = parts;
+        Expr { kind: ExprKind::If(condition, yes, no), ty, span }
+    }
+
+}

@@ -1,0 +1,194 @@
+//! Fabricate blocks: the figure, settings by the program's table, requirements by its list of measures.
+
+use super::scope::Symbol;
+use super::{Checker, Frame};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
+use crate::hir::tree::{Expr, ExprKind, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
+use crate::hir::types::Type;
+use crate::source::Span;
+use crate::syntax::ast;
+
+impl Checker<'_> {
+    pub(super) fn fabricate(&mut self, block: &ast::Fabricate, span: Span) {
+        let figure = self.fabricated_figure(block);
+        let kind = match block.kind.text.as_str() {
+            "panels" => SchemaKind::Panels,
+            "planks" => SchemaKind::Planks,
+            _ => {
+                self.unknown_word(Code::E0411, &block.kind, "kind of element", ["panels", "planks"].into_iter());
+                return;
+            }
+        };
+        let mut frame = Frame::new(0);
+        let mut settings: Vec<SettingValue> = Vec::new();
+        for entry in &block.entries {
+            if let ast::EntryKind::Setting(name, value) = &entry.kind
+                && let Some(setting) = self.setting(&mut frame, kind, name, value, &settings)
+            {
+                settings.push(setting);
+            }
+        }
+        let broken = block.entries.iter().any(|entry| entry.kind == ast::EntryKind::Error);
+        if !broken {
+            self.required_settings(block, kind, span);
+        }
+        let material = settings.iter().find(|setting| setting.name == "material");
+        let material = material.map_or(Type::Error, |setting| setting.value.ty.clone());
+        let name = ast::Name { text: "material".to_owned(), span: block.kind.span };
+        let mut frame = Frame::new(0);
+        frame.declare(&name, material);
+        let mut requirements = Vec::new();
+        for entry in &block.entries {
+            if let ast::EntryKind::Require(requirement) = &entry.kind
+                && let Some(requirement) = self.requirement(&mut frame, kind, requirement, entry.span)
+            {
+                requirements.push(requirement);
+            }
+        }
+        let Some(figure) = figure else { return };
+        self.fabricates.push(Fabricate {
+            figure,
+            figure_span: block.figure.span,
+            kind,
+            kind_span: block.kind.span,
+            settings,
+            requirements,
+            slots: frame.slots,
+        });
+    }
+
+    fn fabricated_figure(&mut self, block: &ast::Fabricate) -> Option<ItemId> {
+        let name = &block.figure;
+        let Some(Symbol::Item(id)) = self.symbol(0, &name.text, name.span) else {
+            self.unknown(&Frame::new(0), &name.text, name.span);
+            return None;
+        };
+        if !matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Figure(_)) {
+            let message = format!("`{}` is not a figure", name.text);
+            let diagnostic = Diagnostic::new(Code::E0401, name.span, message).label("only a figure can be fabricated");
+            let declared = self.items[id.0 as usize].name_span;
+            self.report(diagnostic.also(declared, "declared here").hint("declare it with `figure … = …`"));
+            return None;
+        }
+        if let Some(earlier) = self.fabricates.iter().find(|other| other.figure == id) {
+            let message = format!("`{}` is fabricated twice", name.text);
+            let diagnostic = Diagnostic::new(Code::E0803, name.span, message).label("fabricated again here");
+            let diagnostic = diagnostic.also(earlier.figure_span, "first fabricated here");
+            self.report(diagnostic.hint("one `fabricate` a figure: remove one, or declare a second figure"));
+            return None;
+        }
+        match self.items[id.0 as usize].kind {
+            ItemKind::Broken => None,
+            _ => Some(id),
+        }
+    }
+
+    fn required_settings(&mut self, block: &ast::Fabricate, kind: SchemaKind, span: Span) {
+        let given = |name: &str| {
+            block.entries.iter().any(|entry| {
+                matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name)
+            })
+        };
+        for setting in kind.settings().iter().filter(|setting| setting.required && !given(setting.name)) {
+            let at = Span { start: span.start, end: block.kind.span.end, ..span };
+            let message = format!("a block of {} needs `{}`", kind.name(), setting.name);
+            let diagnostic = Diagnostic::new(Code::E0403, at, message).label(format!("no `{}`", setting.name));
+            self.report(diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc)));
+        }
+    }
+
+    /// One setting of a block; `None` after a report.
+    pub(super) fn setting(
+        &mut self,
+        frame: &mut Frame,
+        kind: SchemaKind,
+        name: &ast::Name,
+        value: &ast::Expr,
+        earlier: &[SettingValue],
+    ) -> Option<SettingValue> {
+        let Some(setting) = kind.setting(&name.text) else {
+            let known: Vec<&str> = kind.settings().iter().map(|setting| setting.name).collect();
+            let what = format!("setting of {}", kind.name());
+            self.unknown_word(Code::E0404, name, &what, known.into_iter());
+            return None;
+        };
+        if let Some(first) = earlier.iter().find(|other| other.name == setting.name) {
+            let message = format!("`{}` is given twice", name.text);
+            let diagnostic = Diagnostic::new(Code::E0405, name.span, message).label("given again");
+            self.report(diagnostic.also(first.name_span, "first given here").hint("remove one of them"));
+            return None;
+        }
+        let value = match &setting.ty {
+            SettingType::Later => {
+                self.later(&name.text, name.span);
+                return None;
+            }
+            SettingType::Of(ty) => self.expect(frame, value, ty),
+            SettingType::Library(record) => self.library_record(frame, record, value),
+        };
+        Some(SettingValue { name: setting.name, name_span: name.span, value })
+    }
+
+    fn library_record(&mut self, frame: &mut Frame, record: &str, value: &ast::Expr) -> Expr {
+        if matches!(&value.kind, ast::ExprKind::Name(name) if name == "none") && record == "Engraving" {
+            let kind = ExprKind::Choice(ChoiceKind::Engraved, 0);
+            return Expr { kind, ty: Type::Choice(ChoiceKind::Engraved), span: value.span };
+        }
+        let found = self.modules.iter().find_map(|scope| match scope.public.get(record) {
+            Some(Symbol::Item(id)) if !scope.name.is_empty() => Some(*id),
+            _ => None,
+        });
+        match found {
+            Some(id) => self.expect(frame, value, &Type::Record(id)),
+            None => self.expr(frame, value, None),
+        }
+    }
+
+    fn requirement(
+        &mut self,
+        frame: &mut Frame,
+        kind: SchemaKind,
+        requirement: &ast::Requirement,
+        span: Span,
+    ) -> Option<Requirement> {
+        let words = &requirement.measure;
+        let Some(measure) = Measure::named(&words.text) else {
+            self.later(&words.text, words.span);
+            return None;
+        };
+        if !measure.applies_to(kind) {
+            let message = format!("`{}` is no measure of {}", words.text, kind.name());
+            let label = format!("not measured on {}", kind.name());
+            self.report(Diagnostic::new(Code::E0806, words.span, message).label(label));
+            return None;
+        }
+        let limit = match &requirement.limit {
+            ast::Limit::Compare(comparison, value) => {
+                Limit::Compare(*comparison, self.limit_value(frame, measure, value))
+            }
+            ast::Limit::Within(range) => {
+                let bounds = [&range.from, &range.to].map(|value| self.limit_value(frame, measure, value));
+                let [from, to] = bounds;
+                Limit::Within(from, to)
+            }
+        };
+        Some(Requirement { measure, span, measure_span: words.span, limit })
+    }
+
+    fn limit_value(&mut self, frame: &mut Frame, measure: Measure, value: &ast::Expr) -> Expr {
+        let expected = Type::Quantity(measure.dimension());
+        let checked = self.expr(frame, value, Some(&expected));
+        let radius = measure == Measure::BendRadius && self.is_radius(&checked.ty);
+        if radius { checked } else { self.convert(checked, &expected) }
+    }
+
+    /// Whether a record has the two radii of a board: across and along its grain.
+    fn is_radius(&mut self, ty: &Type) -> bool {
+        let Type::Record(id) = ty else { return false };
+        self.ensure_checked(*id, self.items[id.0 as usize].name_span);
+        let ItemKind::Record(fields) = &self.items[id.0 as usize].kind else { return false };
+        let has = |name: &str| fields.iter().any(|field| field.name == name && field.ty == Type::LENGTH);
+        has("across") && has("along")
+    }
+}

@@ -1,0 +1,101 @@
+//! Arguments put in the places of parameters: by position, by name, by default.
+
+use super::items::Parameter;
+use super::{Checker, Frame};
+use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::tree::Expr;
+use crate::source::Span;
+use crate::syntax::ast;
+
+impl Checker<'_> {
+    /// The argument of each parameter; `None` where its default serves, or where it is missing (then reported).
+    ///
+    /// `what` names the callee in messages; `span` is the whole call.
+    pub(super) fn bind(
+        &mut self,
+        frame: &mut Frame,
+        what: &str,
+        parameters: &[Parameter],
+        arguments: &[ast::Argument],
+        span: Span,
+    ) -> Vec<Option<Expr>> {
+        let mut places: Vec<Option<&ast::Argument>> = vec![None; parameters.len()];
+        let mut next = 0;
+        for argument in arguments {
+            let Some(place) = self.place(what, parameters, argument, &mut next) else {
+                self.expr(frame, &argument.value, None);
+                continue;
+            };
+            if let Some(earlier) = places[place] {
+                let message = format!("`{}` of `{what}` is given twice", parameters[place].name);
+                let diagnostic = Diagnostic::new(Code::E0405, argument_span(argument), message).label("given again");
+                self.report(diagnostic.also(argument_span(earlier), "first given here").hint("remove one of them"));
+                continue;
+            }
+            places[place] = Some(argument);
+        }
+        let missing: Vec<&Parameter> = parameters
+            .iter()
+            .zip(&places)
+            .filter(|(parameter, place)| parameter.required && place.is_none())
+            .map(|(parameter, _)| parameter)
+            .collect();
+        if !missing.is_empty() {
+            self.missing(what, &missing, span);
+        }
+        let bound = parameters.iter().zip(places);
+        bound.map(|(parameter, place)| place.map(|argument| self.expect(frame, &argument.value, &parameter.ty))).collect()
+    }
+
+    fn missing(&mut self, what: &str, missing: &[&Parameter], span: Span) {
+        let names: Vec<String> = missing.iter().map(|parameter| format!("`{}`", parameter.name)).collect();
+        let examples: Vec<String> = missing
+            .iter()
+            .map(|parameter| format!("{}: … ({})", parameter.name, self.type_name(&parameter.ty)))
+            .collect();
+        let message = format!("`{what}` needs {}", names.join(" and "));
+        let diagnostic = Diagnostic::new(Code::E0403, span, message).label(format!("{} missing", names.join(", ")));
+        self.report(diagnostic.hint(format!("add {}", examples.join(", "))));
+    }
+
+    fn place(
+        &mut self,
+        what: &str,
+        parameters: &[Parameter],
+        argument: &ast::Argument,
+        next: &mut usize,
+    ) -> Option<usize> {
+        let Some(name) = &argument.name else {
+            let place = *next;
+            *next += 1;
+            if place < parameters.len() {
+                return Some(place);
+            }
+            let count = match parameters.len() {
+                0 => "no arguments".to_owned(),
+                1 => "one argument".to_owned(),
+                n => format!("{n} arguments"),
+            };
+            let message = format!("`{what}` takes {count}");
+            self.report(Diagnostic::new(Code::E0406, argument.value.span, message).label("one too many"));
+            return None;
+        };
+        if let Some(place) = parameters.iter().position(|parameter| parameter.name == name.text) {
+            return Some(place);
+        }
+        let known: Vec<&str> = parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+        let message = format!("`{what}` has no `{}`", name.text);
+        let mut diagnostic = Diagnostic::new(Code::E0404, name.span, message).label("not known here");
+        diagnostic = match closest(&name.text, known.iter().copied()) {
+            Some(candidate) => diagnostic.fix(format!("did you mean `{candidate}`?"), name.span, candidate),
+            None if known.is_empty() => diagnostic.hint("it takes no arguments"),
+            None => diagnostic.note(format!("it takes {}", known.join(", "))),
+        };
+        self.report(diagnostic);
+        None
+    }
+}
+
+fn argument_span(argument: &ast::Argument) -> Span {
+    argument.name.as_ref().map_or(argument.value.span, |name| name.span.to(argument.value.span))
+}

@@ -1,0 +1,127 @@
+//! The checker: resolves names and gives every expression its type. Items are checked when first needed, so their
+//! order in the file does not matter; a definition that needs itself is an error.
+
+mod call;
+mod collection;
+mod convert;
+mod expression;
+mod fabricate;
+mod fields;
+mod ifs;
+mod items;
+mod names;
+mod native;
+mod operator;
+mod placement;
+mod scope;
+mod type_expr;
+
+use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId};
+use super::types::Type;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::source::{FileId, Span};
+use crate::syntax::ast;
+use scope::ModuleScope;
+use std::collections::BTreeMap;
+
+/// A parsed file on its way to the checker.
+#[derive(Clone, Copy, Debug)]
+pub struct ModuleSource<'a> {
+    /// The name after `std.`; empty for the design itself.
+    pub name: &'a str,
+    /// Its file.
+    pub file: FileId,
+    /// Its tree.
+    pub ast: &'a ast::File,
+}
+
+/// What checking gives.
+#[derive(Debug)]
+pub struct Checked {
+    /// The typed tree.
+    pub hir: Hir,
+    /// What was found.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Checks a design, the first of the modules, against the library, the others.
+pub fn check(modules: &[ModuleSource<'_>]) -> Checked {
+    let mut checker = Checker::new(modules);
+    checker.check_root();
+    checker.finish()
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    Unchecked,
+    InProgress,
+    Done,
+}
+
+struct Declared<'a> {
+    module: usize,
+    item: &'a ast::Item,
+    state: State,
+}
+
+struct Checker<'a> {
+    modules: Vec<ModuleScope<'a>>,
+    declared: Vec<Declared<'a>>,
+    items: Vec<Item>,
+    types: BTreeMap<ItemId, Type>,
+    signatures: BTreeMap<ItemId, items::Signature>,
+    fabricates: Vec<Fabricate>,
+    diagnostics: Diagnostics,
+}
+
+/// The local names around an expression.
+struct Frame {
+    module: usize,
+    locals: Vec<Local>,
+    slots: u32,
+    own_ifs: Option<ItemId>,
+}
+
+struct Local {
+    name: String,
+    id: LocalId,
+    ty: Type,
+    span: Span,
+}
+
+impl Frame {
+    fn new(module: usize) -> Self {
+        Frame { module, locals: Vec::new(), slots: 0, own_ifs: None }
+    }
+
+    fn declare(&mut self, name: &ast::Name, ty: Type) -> LocalId {
+        let id = LocalId(self.slots);
+        self.slots += 1;
+        self.locals.push(Local { name: name.text.clone(), id, ty, span: name.span });
+        id
+    }
+}
+
+impl<'a> Checker<'a> {
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    fn module_file(&self, module: usize) -> FileId {
+        self.modules[module].file
+    }
+
+    fn finish(self) -> Checked {
+        let root = self.modules.first().map_or(FileId(0), |module| module.file);
+        let hir = Hir { items: self.items, fabricates: self.fabricates, root };
+        Checked { hir, diagnostics: self.diagnostics.finish() }
+    }
+}
+
+fn error_expr(span: Span) -> Expr {
+    Expr { kind: ExprKind::Error, ty: Type::Error, span }
+}
+
+fn broken(name: &ast::Name, docs: &[String]) -> Item {
+    Item { name: name.text.clone(), name_span: name.span, docs: docs.to_vec(), kind: ItemKind::Broken }
+}

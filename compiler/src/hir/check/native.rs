@@ -1,0 +1,157 @@
+//! Calls of the functions of the program, and what they give.
+
+use super::items::Parameter;
+use super::{Checker, Frame, error_expr};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::native::{Native, NativeParameter, Takes};
+use crate::hir::tree::{Expr, ExprKind};
+use crate::hir::types::{PointSpace, Type};
+use crate::source::Span;
+use crate::syntax::ast;
+
+impl Checker<'_> {
+    pub(super) fn native(
+        &mut self,
+        frame: &mut Frame,
+        native: Native,
+        arguments: &[ast::Argument],
+        span: Span,
+    ) -> Expr {
+        let declaration = native.declaration();
+        let parameters: Vec<Parameter> = declaration
+            .parameters
+            .iter()
+            .map(|parameter| Parameter {
+                name: parameter.name.to_owned(),
+                ty: parameter.takes.expected().unwrap_or(Type::Error),
+                required: parameter.required,
+            })
+            .collect();
+        let bound = self.bind(frame, declaration.name, &parameters, arguments, span);
+        let complete = bound.iter().zip(declaration.parameters).all(|(value, takes)| match value {
+            Some(value) => self.takes(value, takes),
+            None => !takes.required,
+        });
+        let values: Vec<Expr> = bound.into_iter().flatten().collect();
+        if !complete || values.iter().any(|value| value.ty == Type::Error) {
+            return error_expr(span);
+        }
+        match self.native_type(native, &values) {
+            Some(ty) => Expr { kind: ExprKind::Native(native, values), ty, span },
+            None => error_expr(span),
+        }
+    }
+
+    fn takes(&mut self, value: &Expr, parameter: &NativeParameter) -> bool {
+        let list_of_numbers = match &value.ty {
+            Type::List(element) => element.dimension().is_some(),
+            _ => false,
+        };
+        let fits = value.ty == Type::Error
+            || match parameter.takes {
+                Takes::Quantity => value.ty.dimension().is_some(),
+                Takes::QuantityOrList => value.ty.dimension().is_some() || list_of_numbers,
+                Takes::Quantities => list_of_numbers,
+                Takes::List => matches!(value.ty, Type::List(_)),
+                _ => true,
+            };
+        if !fits {
+            let wanted = match parameter.takes {
+                Takes::Quantity => "a number",
+                Takes::QuantityOrList => "a number or a list of numbers",
+                Takes::Quantities => "a list of numbers",
+                _ => "a list",
+            };
+            let name = self.type_name(&value.ty);
+            let message = format!("`{}` takes {wanted}, but this is a {name}", parameter.name);
+            self.report(Diagnostic::new(Code::E0401, value.span, message).label(format!("a {name}")));
+        }
+        fits
+    }
+
+    fn native_type(&mut self, native: Native, values: &[Expr]) -> Option<Type> {
+        let first = &values.first()?.ty;
+        Some(match native {
+            Native::Sin | Native::Cos | Native::Tan => Type::NUMBER,
+            Native::Floor | Native::Round | Native::Len => Type::Int,
+            Native::Abs => first.clone(),
+            Native::Sum => element(first)?,
+            Native::Sqrt => return self.root(&values[0]),
+            Native::Min | Native::Max => return self.extreme(native, values),
+            Native::Lerp => {
+                let space = values[0].ty.point_space()?.join(values[1].ty.point_space()?);
+                match space {
+                    Some(space) => Type::Point(space),
+                    None => {
+                        let message = "`lerp` needs two points of one space";
+                        let diagnostic = Diagnostic::new(Code::E0402, values[1].span, message);
+                        self.report(diagnostic.label("of another space").also(values[0].span, "this one"));
+                        return None;
+                    }
+                }
+            }
+            Native::Interpolate => {
+                if *first != Type::LENGTH {
+                    let name = self.type_name(first);
+                    let message = format!("`interpolate` looks up a Length, but this is a {name}");
+                    self.report(Diagnostic::new(Code::E0401, values[0].span, message).label(format!("a {name}")));
+                    return None;
+                }
+                Type::LENGTH
+            }
+            Native::Segment => {
+                let control = values.iter().all(|value| value.ty.point_space() == Some(PointSpace::Control));
+                if !control {
+                    let message = "a germ is drawn between the control points of its ifs, or combinations of them";
+                    self.report(Diagnostic::new(Code::E0402, values[0].span, message).label("not a control point"));
+                    return None;
+                }
+                Type::Germ
+            }
+            Native::Tensor => Type::Ifs,
+            Native::Sheet => Type::Figure,
+        })
+    }
+
+    fn root(&mut self, value: &Expr) -> Option<Type> {
+        let dimension = value.ty.dimension()?;
+        if let Some(root) = dimension.root() {
+            return Some(Type::Quantity(root));
+        }
+        let message = format!("there is no square root of a {}", dimension.name());
+        self.report(Diagnostic::new(Code::E0402, value.span, message).label(format!("a {}", dimension.name())));
+        None
+    }
+
+    fn extreme(&mut self, native: Native, values: &[Expr]) -> Option<Type> {
+        let name = native.declaration().name;
+        match values {
+            [list] => match element(&list.ty) {
+                Some(ty) => Some(ty),
+                None => {
+                    let message = format!("`{name}` needs two numbers, or a list of numbers");
+                    self.report(Diagnostic::new(Code::E0403, list.span, message).label("one number only"));
+                    None
+                }
+            },
+            [a, b] => {
+                let ty = a.ty.join(&b.ty).filter(|ty| ty.dimension().is_some());
+                if ty.is_none() {
+                    let (first, second) = (self.type_name(&a.ty), self.type_name(&b.ty));
+                    let message = format!("`{name}` does not fit a {first} and a {second}");
+                    let diagnostic = Diagnostic::new(Code::E0402, b.span, message).label(second);
+                    self.report(diagnostic.also(a.span, first));
+                }
+                ty
+            }
+            _ => None,
+        }
+    }
+}
+
+fn element(ty: &Type) -> Option<Type> {
+    match ty {
+        Type::List(element) => Some((**element).clone()),
+        _ => None,
+    }
+}

@@ -1,0 +1,182 @@
+//! Operators on numbers, points and vectors, and their dimensions.
+
+use super::{Checker, Frame, error_expr};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::dimension::Dimension;
+use crate::hir::tree::{Arithmetic, Expr, ExprKind};
+use crate::hir::types::{PointSpace, Type};
+use crate::source::Span;
+use crate::syntax::ast::{self, BinaryOperator, UnaryOperator};
+
+impl Checker<'_> {
+    pub(super) fn unary(
+        &mut self,
+        frame: &mut Frame,
+        operator: UnaryOperator,
+        inner: &ast::Expr,
+        span: Span,
+    ) -> Expr {
+        if operator == UnaryOperator::Not {
+            let inner = self.expect(frame, inner, &Type::Bool);
+            return Expr { kind: ExprKind::Not(Box::new(inner)), ty: Type::Bool, span };
+        }
+        let inner = self.expr(frame, inner, None);
+        let ty = match &inner.ty {
+            Type::Int | Type::Quantity(_) | Type::Vector(_) | Type::Error => inner.ty.clone(),
+            Type::Point(space) | Type::WeightedSum(space) => Type::WeightedSum(*space),
+            other => {
+                let name = self.type_name(other);
+                let message = format!("`-` does not fit a {name}");
+                self.report(Diagnostic::new(Code::E0402, span, message).label(format!("a {name}")));
+                return error_expr(span);
+            }
+        };
+        Expr { kind: ExprKind::Negate(Box::new(inner)), ty, span }
+    }
+
+    pub(super) fn binary(
+        &mut self,
+        frame: &mut Frame,
+        operator: BinaryOperator,
+        at: Span,
+        left: &ast::Expr,
+        right: &ast::Expr,
+        span: Span,
+    ) -> Expr {
+        let arithmetic = match operator {
+            BinaryOperator::Add => Arithmetic::Add,
+            BinaryOperator::Subtract => Arithmetic::Subtract,
+            BinaryOperator::Multiply => Arithmetic::Multiply,
+            BinaryOperator::Divide => Arithmetic::Divide,
+            BinaryOperator::By => {
+                let sides = [left, right].map(|side| Box::new(self.expect(frame, side, &Type::LENGTH)));
+                let [length, width] = sides;
+                return Expr { kind: ExprKind::Size(length, width), ty: Type::Size, span };
+            }
+            BinaryOperator::And | BinaryOperator::Or => {
+                let sides = [left, right].map(|side| Box::new(self.expect(frame, side, &Type::Bool)));
+                let [left, right] = sides;
+                let and = operator == BinaryOperator::And;
+                let kind = if and { ExprKind::And(left, right) } else { ExprKind::Or(left, right) };
+                return Expr { kind, ty: Type::Bool, span };
+            }
+            BinaryOperator::Compare(comparison) => return self.compare(frame, comparison, at, [left, right], span),
+        };
+        let additive = matches!(arithmetic, Arithmetic::Add | Arithmetic::Subtract);
+        let (left, right) = if additive {
+            self.additive_sides(frame, left, right)
+        } else {
+            (self.expr(frame, left, None), self.expr(frame, right, None))
+        };
+        match self.result(arithmetic, &left.ty, &right.ty) {
+            Some(ty) => {
+                let kind = ExprKind::Arithmetic(arithmetic, at, Box::new(left), Box::new(right));
+                Expr { kind, ty, span }
+            }
+            None => self.unfit(arithmetic, at, &left, &right, span),
+        }
+    }
+
+    /// Coordinates written right beside `+` or `-` are a vector when the other side is a point or a vector.
+    fn additive_sides(&mut self, frame: &mut Frame, left: &ast::Expr, right: &ast::Expr) -> (Expr, Expr) {
+        let literal = |side: &ast::Expr| matches!(side.kind, ast::ExprKind::Tuple(_));
+        let vector = Type::Vector(PointSpace::Any);
+        match (literal(left), literal(right)) {
+            (false, true) => {
+                let left = self.expr(frame, left, None);
+                let wanted = left.ty.point_space().map(|_| &vector);
+                let right = self.expr(frame, right, wanted);
+                (left, right)
+            }
+            (true, false) => {
+                let right = self.expr(frame, right, None);
+                let wanted = matches!(right.ty, Type::Vector(_)).then_some(&vector);
+                let left = self.expr(frame, left, wanted);
+                (left, right)
+            }
+            _ => (self.expr(frame, left, None), self.expr(frame, right, None)),
+        }
+    }
+
+    fn result(&self, arithmetic: Arithmetic, left: &Type, right: &Type) -> Option<Type> {
+        if *left == Type::Error || *right == Type::Error {
+            return Some(Type::Error);
+        }
+        match (arithmetic, left.dimension(), right.dimension()) {
+            (Arithmetic::Add | Arithmetic::Subtract, Some(a), Some(b)) => {
+                (a == b).then(|| if left == right { left.clone() } else { Type::Quantity(a) })
+            }
+            (Arithmetic::Multiply, Some(a), Some(b)) => {
+                let whole = *left == Type::Int && *right == Type::Int;
+                if whole { Some(Type::Int) } else { Some(Type::Quantity(a.times(b)?)) }
+            }
+            (Arithmetic::Divide, Some(a), Some(b)) => Some(Type::Quantity(a.over(b)?)),
+            (Arithmetic::Multiply, Some(Dimension::NUMBER), None) => scaled(right),
+            (Arithmetic::Multiply | Arithmetic::Divide, None, Some(Dimension::NUMBER)) => scaled(left),
+            (Arithmetic::Add | Arithmetic::Subtract, None, None) => added(arithmetic, left, right),
+            _ => None,
+        }
+    }
+
+    fn unfit(&mut self, arithmetic: Arithmetic, at: Span, left: &Expr, right: &Expr, span: Span) -> Expr {
+        let (a, b) = (self.type_name(&left.ty), self.type_name(&right.ty));
+        let symbol = arithmetic.symbol();
+        let message = format!("`{symbol}` does not fit a {a} and a {b}");
+        let mut diagnostic = Diagnostic::new(Code::E0402, at, message)
+            .label(format!("`{symbol}` of these two"))
+            .also(left.span, a)
+            .also(right.span, b);
+        let both_numbers = left.ty.dimension().is_some() && right.ty.dimension().is_some();
+        if both_numbers {
+            diagnostic = diagnostic.hint("numbers are added and subtracted only when their dimensions are the same");
+        } else if left.ty.point_space().is_some() && right.ty.point_space().is_some() {
+            diagnostic = diagnostic.hint("both must be in the plane, both in space, or both made of control points");
+        }
+        self.report(diagnostic);
+        error_expr(span)
+    }
+
+    fn compare(
+        &mut self,
+        frame: &mut Frame,
+        comparison: ast::Comparison,
+        at: Span,
+        [left, right]: [&ast::Expr; 2],
+        span: Span,
+    ) -> Expr {
+        let (left, right) = (self.expr(frame, left, None), self.expr(frame, right, None));
+        let equality = matches!(comparison, ast::Comparison::Equal | ast::Comparison::NotEqual);
+        let fits = match (&left.ty, &right.ty) {
+            (Type::Error, _) | (_, Type::Error) => true,
+            (Type::Bool, Type::Bool) | (Type::Text, Type::Text) => equality,
+            (a, b) => a.dimension().is_some() && a.dimension() == b.dimension(),
+        };
+        if !fits {
+            let (a, b) = (self.type_name(&left.ty), self.type_name(&right.ty));
+            let message = format!("a {a} cannot be compared with a {b} in this way");
+            let diagnostic = Diagnostic::new(Code::E0402, at, message).label("compares these two");
+            self.report(diagnostic.also(left.span, a).also(right.span, b));
+            return error_expr(span);
+        }
+        Expr { kind: ExprKind::Compare(comparison, Box::new(left), Box::new(right)), ty: Type::Bool, span }
+    }
+}
+
+fn scaled(ty: &Type) -> Option<Type> {
+    match ty {
+        Type::Vector(space) => Some(Type::Vector(*space)),
+        Type::Point(space) | Type::WeightedSum(space) => Some(Type::WeightedSum(*space)),
+        _ => None,
+    }
+}
+
+fn added(arithmetic: Arithmetic, left: &Type, right: &Type) -> Option<Type> {
+    let space = left.point_space()?.join(right.point_space()?)?;
+    Some(match (left, right) {
+        (Type::Point(_), Type::Vector(_)) => Type::Point(space),
+        (Type::Vector(_), Type::Point(_)) if arithmetic == Arithmetic::Add => Type::Point(space),
+        (Type::Vector(_), Type::Vector(_)) => Type::Vector(space),
+        (Type::Point(_), Type::Point(_)) if arithmetic == Arithmetic::Subtract => Type::Vector(space),
+        _ => Type::WeightedSum(space),
+    })
+}

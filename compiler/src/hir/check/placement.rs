@@ -1,0 +1,71 @@
+//! `… on …` and `… at level …`.
+
+use super::{Checker, Frame, error_expr};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::tree::{Expr, ExprKind, ItemKind};
+use crate::hir::types::{PointSpace, Type};
+use crate::source::Span;
+use crate::syntax::ast;
+
+impl Checker<'_> {
+    pub(super) fn on(&mut self, frame: &mut Frame, ifs: &ast::Expr, placement: &ast::Placement, span: Span) -> Expr {
+        let ifs = self.expect(frame, ifs, &Type::Ifs);
+        let point = Type::Point(PointSpace::Any);
+        let (points, at) = match placement {
+            ast::Placement::Points(points, at) => {
+                let points: Vec<Expr> = points.iter().map(|value| self.expect(frame, value, &point)).collect();
+                self.count_points(&ifs, points.len(), *at);
+                let ty = Type::List(Box::new(point));
+                (Expr { kind: ExprKind::List(points), ty, span: *at }, *at)
+            }
+            ast::Placement::Value(value) => {
+                let list = Type::List(Box::new(point));
+                let grid = Type::List(Box::new(list.clone()));
+                let points = self.expr(frame, value, None);
+                let rows = matches!(&points.ty, Type::List(row) if matches!(**row, Type::List(_)));
+                (self.convert(points, if rows { &grid } else { &list }), value.span)
+            }
+        };
+        if ifs.ty == Type::Error {
+            return error_expr(span);
+        }
+        Expr { kind: ExprKind::On(Box::new(ifs), Box::new(points), at), ty: Type::Figure, span }
+    }
+
+    fn count_points(&mut self, ifs: &Expr, given: usize, at: Span) {
+        let ExprKind::Ifs(id, _) = &ifs.kind else { return };
+        let ItemKind::Ifs(declared) = &self.items[id.0 as usize].kind else { return };
+        let needed = declared.control_points.len();
+        if needed == given {
+            return;
+        }
+        let names = declared.control_points.join(", ");
+        let item = &self.items[id.0 as usize];
+        let (name, declared_at) = (item.name.clone(), item.name_span);
+        let message = format!("`{name}` is placed on {needed} control points, but {given} are given");
+        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(format!("{given} points"));
+        self.report(diagnostic.also(declared_at, format!("on ({names})")));
+    }
+
+    pub(super) fn at(&mut self, frame: &mut Frame, figure: &ast::Expr, level: &ast::Level, span: Span) -> Expr {
+        let figure = self.expr(frame, figure, None);
+        let figure = if figure.ty.is_figure() { figure } else { self.convert(figure, &Type::Figure) };
+        let (first, second) = match level {
+            ast::Level::Uniform(level) => (self.expect(frame, level, &Type::Int), None),
+            ast::Level::Pair(u, v) => {
+                (self.expect(frame, u, &Type::Int), Some(Box::new(self.expect(frame, v, &Type::Int))))
+            }
+            ast::Level::Until { measure, .. } => {
+                let message = "levels chosen by size (`until`) are not available yet";
+                let diagnostic = Diagnostic::new(Code::E0001, measure.span, message).label("a size");
+                self.report(diagnostic.hint("give the level as a number: `at level 4`"));
+                return error_expr(span);
+            }
+        };
+        if figure.ty == Type::Error || first.ty == Type::Error {
+            return error_expr(span);
+        }
+        let ty = figure.ty.clone();
+        Expr { kind: ExprKind::At(Box::new(figure), Box::new(first), second), ty, span }
+    }
+}

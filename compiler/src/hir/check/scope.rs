@@ -1,0 +1,200 @@
+//! Modules and what they declare and import.
+
+use super::{Checker, Declared, ModuleSource, State, broken};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, did_you_mean};
+use crate::hir::native::{LATER, NATIVES, Native};
+use crate::hir::tree::ItemId;
+use crate::source::{FileId, Span};
+use crate::syntax::ast;
+use std::collections::BTreeMap;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Symbol {
+    /// An item of some module.
+    Item(ItemId),
+    /// A function of the program.
+    Native(Native),
+    /// Something of the language that the program cannot do yet.
+    Later,
+}
+
+pub(super) struct Import {
+    pub(super) symbol: Symbol,
+    pub(super) span: Span,
+    pub(super) used: bool,
+}
+
+pub(super) struct ModuleScope<'a> {
+    pub(super) name: &'a str,
+    pub(super) file: FileId,
+    pub(super) ast: &'a ast::File,
+    pub(super) own: BTreeMap<&'a str, ItemId>,
+    pub(super) public: BTreeMap<&'a str, Symbol>,
+    pub(super) imports: BTreeMap<&'a str, Import>,
+}
+
+pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
+    match &item.kind {
+        ast::ItemKind::Param(param) => Some(&param.name),
+        ast::ItemKind::Let(value) => Some(&value.name),
+        ast::ItemKind::Function(function) => Some(&function.name),
+        ast::ItemKind::Record(record) => Some(&record.name),
+        ast::ItemKind::Ifs(ifs) => Some(&ifs.name),
+        ast::ItemKind::Figure(figure) => Some(&figure.name),
+        ast::ItemKind::Use(_) | ast::ItemKind::Fabricate(_) | ast::ItemKind::Test(_) | ast::ItemKind::Error => {
+            None
+        }
+    }
+}
+
+impl<'a> Checker<'a> {
+    pub(super) fn new(sources: &[ModuleSource<'a>]) -> Self {
+        let mut checker = Checker {
+            modules: Vec::new(),
+            declared: Vec::new(),
+            items: Vec::new(),
+            types: BTreeMap::new(),
+            signatures: BTreeMap::new(),
+            fabricates: Vec::new(),
+            diagnostics: Diagnostics::default(),
+        };
+        for source in sources {
+            checker.declare_module(*source);
+        }
+        for module in 0..checker.modules.len() {
+            checker.import(module);
+        }
+        checker
+    }
+
+    fn declare_module(&mut self, source: ModuleSource<'a>) {
+        let module = self.modules.len();
+        let mut scope = ModuleScope {
+            name: source.name,
+            file: source.file,
+            ast: source.ast,
+            own: BTreeMap::new(),
+            public: BTreeMap::new(),
+            imports: BTreeMap::new(),
+        };
+        if !source.name.is_empty() {
+            for native in NATIVES.iter().filter(|native| native.module == source.name) {
+                scope.public.insert(native.name, Symbol::Native(native.native));
+            }
+            for (_, name) in LATER.iter().filter(|(owner, _)| *owner == source.name) {
+                scope.public.insert(name, Symbol::Later);
+            }
+        }
+        for item in &source.ast.items {
+            let Some(name) = item_name(item) else { continue };
+            if let Some(first) = scope.own.get(name.text.as_str()) {
+                let first = self.items[first.0 as usize].name_span;
+                let message = format!("`{}` is declared twice", name.text);
+                let diagnostic = Diagnostic::new(Code::E0302, name.span, message).label("declared again here");
+                let diagnostic = diagnostic.also(first, "first declared here").hint("give one of them another name");
+                self.report(diagnostic);
+                continue;
+            }
+            let id = ItemId(self.items.len() as u32);
+            self.items.push(broken(name, &item.docs));
+            self.declared.push(Declared { module, item, state: State::Unchecked });
+            scope.own.insert(&name.text, id);
+            if item.public.is_some() {
+                scope.public.insert(&name.text, Symbol::Item(id));
+            }
+        }
+        self.modules.push(scope);
+    }
+
+    fn import(&mut self, module: usize) {
+        let ast = self.modules[module].ast;
+        for item in &ast.items {
+            let ast::ItemKind::Use(import) = &item.kind else { continue };
+            let Some(from) = self.find_module(&import.module) else { continue };
+            for name in &import.names {
+                self.import_name(module, from, name);
+            }
+        }
+    }
+
+    fn import_name(&mut self, module: usize, from: usize, name: &'a ast::Name) {
+        let Some(symbol) = self.modules[from].public.get(name.text.as_str()).copied() else {
+            self.no_such_export(from, name);
+            return;
+        };
+        let scope = &self.modules[module];
+        let earlier = scope.imports.get(name.text.as_str()).map(|import| import.span);
+        let own = scope.own.get(name.text.as_str()).map(|id| self.items[id.0 as usize].name_span);
+        if let Some(other) = earlier.or(own) {
+            let message = format!("`{}` is both imported and declared, or imported twice", name.text);
+            let diagnostic = Diagnostic::new(Code::E0302, name.span, message).label("imported here");
+            self.report(diagnostic.also(other, "the other one").hint("remove one of them"));
+            return;
+        }
+        let import = Import { symbol, span: name.span, used: false };
+        self.modules[module].imports.insert(&name.text, import);
+    }
+
+    fn no_such_export(&mut self, from: usize, name: &ast::Name) {
+        let scope = &self.modules[from];
+        let message = if scope.own.contains_key(name.text.as_str()) {
+            format!("`{}` of `std.{}` is not public", name.text, scope.name)
+        } else {
+            format!("`std.{}` has no `{}`", scope.name, name.text)
+        };
+        let mut diagnostic = Diagnostic::new(Code::E0304, name.span, message).label("not there");
+        let elsewhere = self.modules.iter().find(|other| other.public.contains_key(name.text.as_str()));
+        if let Some(suggestion) = did_you_mean(&name.text, scope.public.keys().copied()) {
+            diagnostic = diagnostic.hint(suggestion);
+        } else if let Some(other) = elsewhere {
+            diagnostic = diagnostic.hint(format!("`{}` is in `std.{}`", name.text, other.name));
+        } else {
+            let names: Vec<&str> = scope.public.keys().copied().collect();
+            diagnostic = diagnostic.note(format!("it has {}", names.join(", ")));
+        }
+        self.report(diagnostic);
+    }
+
+    fn find_module(&mut self, path: &ast::ModulePath) -> Option<usize> {
+        let names = match path {
+            ast::ModulePath::Library(names) => names,
+            ast::ModulePath::File(text) => {
+                let message = "designs of several files are not available yet";
+                let diagnostic = Diagnostic::new(Code::E0001, text.span, message).label("imports a file");
+                self.report(diagnostic.hint("put what this file needs into the same file"));
+                return None;
+            }
+        };
+        let dotted: Vec<&str> = names.iter().map(|name| name.text.as_str()).collect();
+        if let ["std", module] = dotted.as_slice()
+            && let Some(found) = self.modules.iter().position(|scope| scope.name == *module && *module != "prelude")
+        {
+            return Some(found);
+        }
+        let known: Vec<String> = self.modules.iter().map(|scope| format!("std.{}", scope.name)).skip(2).collect();
+        let written = dotted.join(".");
+        let message = format!("there is no module `{written}`");
+        let mut diagnostic = Diagnostic::new(Code::E0303, path.span(), message).label("not a module");
+        diagnostic = match did_you_mean(&written, known.iter().map(String::as_str)) {
+            Some(suggestion) => diagnostic.hint(suggestion),
+            None => diagnostic.note(format!("there are {}", known.join(", "))),
+        };
+        self.report(diagnostic);
+        None
+    }
+
+    /// Warns of imports of the design that nothing uses.
+    pub(super) fn warn_unused_imports(&mut self) {
+        let unused: Vec<(String, Span)> = self.modules[0]
+            .imports
+            .iter()
+            .filter(|(_, import)| !import.used)
+            .map(|(name, import)| ((*name).to_owned(), import.span))
+            .collect();
+        for (name, span) in unused {
+            let message = format!("`{name}` is imported but never used");
+            self.report(Diagnostic::new(Code::W0307, span, message).label("not used").hint("remove it"));
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Types as written, and types in words.
+
+use super::Checker;
+use super::scope::Symbol;
+use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::dimension::Dimension;
+use crate::hir::tree::ItemKind;
+use crate::hir::types::{PointSpace, Type};
+use crate::syntax::ast;
+
+/// Types with a name of their own, beside dimensions and records.
+const PLAIN: &[(&str, Type)] = &[
+    ("Int", Type::Int),
+    ("Bool", Type::Bool),
+    ("Text", Type::Text),
+    ("Point", Type::Point(PointSpace::Any)),
+    ("Vector", Type::Vector(PointSpace::Any)),
+    ("Ifs", Type::Ifs),
+    ("Curve", Type::Curve),
+    ("Surface", Type::Surface),
+    ("Figure", Type::Figure),
+];
+
+impl Checker<'_> {
+    pub(super) fn type_expr(&mut self, module: usize, ty: &ast::TypeExpr) -> Type {
+        match &ty.kind {
+            ast::TypeExprKind::Error => Type::Error,
+            ast::TypeExprKind::List(element) => Type::List(Box::new(self.type_expr(module, element))),
+            ast::TypeExprKind::Name(name) => self.named_type(module, name, ty),
+        }
+    }
+
+    fn named_type(&mut self, module: usize, name: &str, ty: &ast::TypeExpr) -> Type {
+        if let Some(dimension) = Dimension::named(name) {
+            return Type::Quantity(dimension);
+        }
+        if let Some((_, plain)) = PLAIN.iter().find(|(known, _)| *known == name) {
+            return plain.clone();
+        }
+        if name == "Map" {
+            self.later(name, ty.span);
+            return Type::Error;
+        }
+        if let Some(Symbol::Item(id)) = self.symbol(module, name, ty.span)
+            && matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Record(_))
+        {
+            return Type::Record(id);
+        }
+        let records = self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
+        let library = self.modules.iter().flat_map(|scope| scope.public.keys().copied());
+        let library = library.filter(|name| name.starts_with(char::is_uppercase));
+        let mut known: Vec<String> = Dimension::names().map(str::to_owned).collect();
+        known.extend(PLAIN.iter().map(|(known, _)| (*known).to_owned()));
+        known.extend(records.chain(library).map(str::to_owned));
+        let message = format!("there is no type `{name}`");
+        let mut diagnostic = Diagnostic::new(Code::E0409, ty.span, message).label("not a type");
+        diagnostic = match closest(name, known.iter().map(String::as_str)) {
+            Some(candidate) => {
+                diagnostic.fix(format!("did you mean `{candidate}`?"), ty.span, candidate.to_owned())
+            }
+            None => diagnostic.hint("types are `Number`, `Length`, `Angle`, `Point`, `[Length]` and the like, or records"),
+        };
+        self.report(diagnostic);
+        Type::Error
+    }
+
+    /// A type in words, for messages.
+    pub(super) fn type_name(&self, ty: &Type) -> String {
+        match ty {
+            Type::Quantity(dimension) => dimension.name(),
+            Type::Point(_) => "Point".to_owned(),
+            Type::Vector(_) => "Vector".to_owned(),
+            Type::WeightedSum(_) => "weighted sum of points".to_owned(),
+            Type::List(element) => format!("[{}]", self.type_name(element)),
+            Type::IntRange => "range".to_owned(),
+            Type::Size => "size (length by length)".to_owned(),
+            Type::Germ => "germ".to_owned(),
+            Type::Record(id) => self.items[id.0 as usize].name.clone(),
+            Type::Choice(kind) => {
+                let words: Vec<String> = kind.words().iter().map(|word| format!("`{}`", word.name)).collect();
+                words.join(" or ")
+            }
+            Type::Settings(kind) => format!("settings of {}", kind.name()),
+            Type::Material => "material".to_owned(),
+            Type::Error => "unknown".to_owned(),
+            Type::Int | Type::Bool | Type::Text | Type::Ifs | Type::Curve | Type::Surface | Type::Figure => {
+                let plain = PLAIN.iter().find(|(_, plain)| plain == ty);
+                plain.map_or("", |(name, _)| *name).to_owned()
+            }
+        }
+    }
+
+    /// Whether a record can say what a board is made of: it has a thickness, or a density.
+    pub(super) fn is_material(&mut self, ty: &Type) -> bool {
+        let Type::Record(id) = ty else { return false };
+        self.ensure_checked(*id, self.items[id.0 as usize].name_span);
+        match &self.items[id.0 as usize].kind {
+            ItemKind::Record(fields) => {
+                fields.iter().any(|field| field.name == "thickness" && field.ty == Type::LENGTH)
+                    || fields.iter().any(|field| field.name == "density")
+            }
+            _ => false,
+        }
+    }
+}

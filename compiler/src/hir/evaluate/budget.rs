@@ -1,0 +1,72 @@
+//! How long an evaluation may take.
+
+use super::{Evaluator, Outcome, Stop};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::source::Span;
+
+/// The most steps one evaluation may take.
+pub const MOST_STEPS: u64 = 5_000_000;
+
+/// The most elements one list may have.
+pub const MOST_ELEMENTS: usize = 1_000_000;
+
+/// How deeply calls and expressions may be nested while they are worked out.
+const DEEPEST: u32 = 5_000;
+
+#[derive(Default)]
+pub(super) struct Budget {
+    steps: u64,
+    depth: u32,
+    exhausted: bool,
+}
+
+impl Evaluator<'_> {
+    /// Counts a step at an expression.
+    pub(super) fn step(&mut self, span: Span) -> Outcome<()> {
+        self.spend(1, span)
+    }
+
+    /// Counts many steps at once.
+    pub(super) fn spend(&mut self, steps: u64, span: Span) -> Outcome<()> {
+        self.budget.steps = self.budget.steps.saturating_add(steps);
+        if self.budget.steps <= MOST_STEPS {
+            return Ok(());
+        }
+        if !self.budget.exhausted {
+            self.budget.exhausted = true;
+            let message = format!("the design takes more than {MOST_STEPS} steps to work out");
+            let diagnostic = Diagnostic::new(Code::E0703, span, message).label("given up here");
+            self.report(diagnostic.hint("use fewer elements in lists, or fewer nested lists"));
+        }
+        Err(Stop::Reported)
+    }
+
+    /// Enters a nested expression; pair it with [`Evaluator::leave`].
+    pub(super) fn enter(&mut self, span: Span) -> Outcome<()> {
+        self.budget.depth += 1;
+        if self.budget.depth <= DEEPEST {
+            return Ok(());
+        }
+        if !self.budget.exhausted {
+            self.budget.exhausted = true;
+            let message = format!("calls are nested more than {DEEPEST} deep");
+            let diagnostic = Diagnostic::new(Code::E0703, span, message).label("given up here");
+            self.report(diagnostic.hint("does a function call itself without an end?"));
+        }
+        self.budget.depth -= 1;
+        Err(Stop::Reported)
+    }
+
+    pub(super) fn leave(&mut self) {
+        self.budget.depth = self.budget.depth.saturating_sub(1);
+    }
+
+    /// Refuses a list that is too long.
+    pub(super) fn length(&mut self, elements: usize, span: Span) -> Outcome<()> {
+        if elements <= MOST_ELEMENTS {
+            return Ok(());
+        }
+        let message = format!("a list of more than {MOST_ELEMENTS} elements");
+        Err(self.report(Diagnostic::new(Code::E0704, span, message).label("too long")))
+    }
+}

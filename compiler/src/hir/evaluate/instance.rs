@@ -1,0 +1,204 @@
+//! An ifs with its arguments worked out: the images of control points as rows of exact weights.
+
+use super::combination::exactly;
+use super::{Evaluator, Frame, Outcome, Stop};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::exact::Rational;
+use crate::hir::scalar::Scalar;
+use crate::hir::tree::{Ifs, ItemKind, LocalId};
+use crate::hir::value::{Combination, Germ, IfsValue, Instance, Terms, Value};
+use crate::source::Span;
+use std::sync::Arc;
+
+/// A row of weights, one for each control point.
+type Row = Vec<Rational>;
+
+/// An ifs with its arguments worked out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstanceBody {
+    /// How many control points it has.
+    pub control_points: usize,
+    /// Its transforms in order.
+    pub transforms: Vec<InstanceTransform>,
+    /// The two rows of its segment.
+    pub germ: [Row; 2],
+    /// Where the germ stands.
+    pub germ_span: Span,
+}
+
+/// A transform worked out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstanceTransform {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub name_span: Span,
+    /// Where the images stand.
+    pub points_span: Span,
+    /// The ifs it continues with.
+    pub target: Instance,
+    /// One row an image.
+    pub rows: Vec<Row>,
+}
+
+/// The parts of an ifs while some of its weights may be functions of its parameters.
+struct Parts {
+    transforms: Vec<(usize, Instance, Vec<Vec<Scalar>>)>,
+    germ: [Vec<Scalar>; 2],
+}
+
+impl Evaluator<'_> {
+    /// An ifs with its arguments worked out.
+    ///
+    /// # Errors
+    /// After a report.
+    pub fn instantiate(&mut self, instance: &Instance) -> Outcome<InstanceBody> {
+        let hir = self.hir;
+        let ItemKind::Ifs(ifs) = &hir.item(instance.ifs).kind else { return Err(Stop::Reported) };
+        let parts = self.parts(instance, ifs)?;
+        let exact = |row: Vec<Scalar>| -> Outcome<Row> {
+            row.iter().map(|weight| weight.to_rational().ok_or(Stop::Undetermined)).collect()
+        };
+        let mut transforms = Vec::new();
+        for (index, target, rows) in parts.transforms {
+            let transform = &ifs.transforms[index];
+            let rows: Outcome<Vec<Row>> = rows.into_iter().map(exact).collect();
+            transforms.push(InstanceTransform {
+                name: transform.name.clone(),
+                name_span: transform.name_span,
+                points_span: transform.points_span,
+                target,
+                rows: rows?,
+            });
+        }
+        let [start, end] = parts.germ;
+        Ok(InstanceBody {
+            control_points: ifs.control_points.len(),
+            transforms,
+            germ: [exact(start)?, exact(end)?],
+            germ_span: ifs.germ.as_ref().map_or(hir.item(instance.ifs).name_span, |germ| germ.span),
+        })
+    }
+
+    /// Checks the weights of an ifs for all values of its parameters, as rational functions of them.
+    ///
+    /// What depends on more than arithmetic (a condition, a count) is left to each instance.
+    pub fn check_symbolically(&mut self, id: crate::hir::tree::ItemId) {
+        let hir = self.hir;
+        let ItemKind::Ifs(ifs) = &hir.item(id).kind else { return };
+        self.atoms.clear();
+        let Ok(arguments) = self.symbolic_arguments(ifs) else { return };
+        // Whatever it finds is reported; what it cannot know here is found at each instance.
+        let _ = self.parts(&Instance { ifs: id, arguments }, ifs);
+    }
+
+    fn parts(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Parts> {
+        if self.broken.contains(&instance.ifs) {
+            return Err(Stop::Reported);
+        }
+        let outer = std::mem::replace(&mut self.points, ifs.control_points.clone());
+        let outcome = self.parts_inside(instance, ifs);
+        self.points = outer;
+        if outcome.as_ref().is_err_and(|stop| *stop == Stop::Reported) {
+            self.broken.insert(instance.ifs);
+        }
+        outcome
+    }
+
+    fn parts_inside(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Parts> {
+        let mut frame = self.instance_frame(instance, ifs)?;
+        let mut stop = None;
+        for (slot, value) in &ifs.lets {
+            match self.expr(&mut frame, value) {
+                Ok(value) => frame.set(*slot, value),
+                Err(reason) => stop = Some(reason),
+            }
+        }
+        let mut transforms = Vec::new();
+        for (index, transform) in ifs.transforms.iter().enumerate() {
+            match self.transform(&mut frame, transform) {
+                Ok((target, rows)) => transforms.push((index, target, rows)),
+                Err(reason) => stop = Some(reason),
+            }
+        }
+        let germ = ifs.germ.as_ref().ok_or(Stop::Reported)?;
+        let germ = match self.expr(&mut frame, germ)? {
+            Value::Germ(germ) => germ,
+            _ => return Err(Stop::Reported),
+        };
+        let Germ::Segment(start, end) = germ.as_ref();
+        let germ = [weights(start)?, weights(end)?];
+        match stop {
+            Some(stop) => Err(stop),
+            None if transforms.is_empty() => Err(Stop::Reported),
+            None => Ok(Parts { transforms, germ }),
+        }
+    }
+
+    fn instance_frame(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Frame> {
+        let mut frame = Frame::new(ifs.slots);
+        frame.own_ifs = Some(instance.clone());
+        for (index, (argument, parameter)) in instance.arguments.iter().zip(&ifs.parameters).enumerate() {
+            let plain = parameter.ty == crate::hir::types::Type::NUMBER;
+            let value = match argument {
+                Value::Scalar(scalar) if plain => {
+                    let span = self.hir.item(instance.ifs).name_span;
+                    Value::Scalar(exactly(scalar.clone()).map_err(|error| self.scalar_error(error, span))?)
+                }
+                other => other.clone(),
+            };
+            frame.set(LocalId(index as u32), value);
+        }
+        let count = ifs.control_points.len();
+        for point in 0..count {
+            let weights = (0..count).map(|other| if other == point { Scalar::one() } else { Scalar::zero() });
+            let terms = Terms::Weights(weights.collect());
+            let value = Combination { terms, weight: Scalar::one(), made: None };
+            frame.set(LocalId((ifs.parameters.len() + point) as u32), Value::Combination(Arc::new(value)));
+        }
+        Ok(frame)
+    }
+
+    #[allow(clippy::type_complexity, reason = "a target and its rows")]
+    fn transform(
+        &mut self,
+        frame: &mut Frame,
+        transform: &crate::hir::tree::Transform,
+    ) -> Outcome<(Instance, Vec<Vec<Scalar>>)> {
+        let target = match self.expr(frame, &transform.target)? {
+            Value::Ifs(ifs) => match ifs.as_ref() {
+                IfsValue::Instance(instance) => instance.clone(),
+                IfsValue::Tensor(..) => {
+                    let message = "a transform continues with one ifs, not with a product of two";
+                    let diagnostic = Diagnostic::new(Code::E0503, transform.target.span, message);
+                    return Err(self.report(diagnostic.label("a tensor product")));
+                }
+            },
+            _ => return Err(Stop::Reported),
+        };
+        let mut rows = Vec::new();
+        let mut stop = None;
+        for point in &transform.points {
+            let row = match self.expr(frame, point) {
+                Ok(Value::Combination(point)) => weights(&point),
+                Ok(_) => Err(Stop::Reported),
+                Err(stop) => Err(stop),
+            };
+            match row {
+                Ok(row) => rows.push(row),
+                Err(reason) => stop = Some(reason),
+            }
+        }
+        match stop {
+            Some(stop) => Err(stop),
+            None => Ok((target, rows)),
+        }
+    }
+}
+
+fn weights(point: &Combination) -> Outcome<Vec<Scalar>> {
+    match &point.terms {
+        Terms::Weights(weights) => Ok(weights.clone()),
+        Terms::Coordinates(_) => Err(Stop::Reported),
+    }
+}

@@ -1,0 +1,109 @@
+//! Lists: comprehensions, elements, slices.
+
+use super::{Evaluator, Frame, Outcome, Stop};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::scalar::Scalar;
+use crate::hir::tree::{Clause, Expr};
+use crate::hir::value::Value;
+use crate::source::Span;
+use std::sync::Arc;
+
+impl Evaluator<'_> {
+    pub(super) fn comprehension(
+        &mut self,
+        frame: &mut Frame,
+        body: &Expr,
+        clauses: &[Clause],
+        span: Span,
+    ) -> Outcome<Value> {
+        let mut elements = Vec::new();
+        self.clauses(frame, body, clauses, span, &mut elements)?;
+        Ok(Value::List(Arc::new(elements)))
+    }
+
+    fn clauses(
+        &mut self,
+        frame: &mut Frame,
+        body: &Expr,
+        clauses: &[Clause],
+        span: Span,
+        out: &mut Vec<Value>,
+    ) -> Outcome<()> {
+        let Some((clause, rest)) = clauses.split_first() else {
+            out.push(self.expr(frame, body)?);
+            return self.length(out.len(), span);
+        };
+        match clause {
+            Clause::If(condition) => {
+                if self.truth(frame, condition)? {
+                    self.clauses(frame, body, rest, span, out)?;
+                }
+            }
+            Clause::For(slot, over) => match self.expr(frame, over)? {
+                Value::Range(from, to) => {
+                    for index in from..to {
+                        self.step(span)?;
+                        frame.set(*slot, Value::Scalar(Scalar::integer(index)));
+                        self.clauses(frame, body, rest, span, out)?;
+                    }
+                }
+                Value::List(list) => {
+                    for value in list.iter() {
+                        self.step(span)?;
+                        frame.set(*slot, value.clone());
+                        self.clauses(frame, body, rest, span, out)?;
+                    }
+                }
+                _ => return Err(Stop::Reported),
+            },
+        }
+        Ok(())
+    }
+
+    pub(super) fn range(&mut self, frame: &mut Frame, from: &Expr, to: &Expr) -> Outcome<Value> {
+        Ok(Value::Range(self.integer(frame, from)?, self.integer(frame, to)?))
+    }
+
+    pub(super) fn element(&mut self, frame: &mut Frame, list: &Expr, index: &Expr) -> Outcome<Value> {
+        let Value::List(elements) = self.expr(frame, list)? else { return Err(Stop::Reported) };
+        let place = self.integer(frame, index)?;
+        let found = usize::try_from(place).ok().and_then(|place| elements.get(place).cloned());
+        found.ok_or_else(|| {
+            let message = format!("there is no element {place} in a list of {}", elements.len());
+            let diagnostic = Diagnostic::new(Code::E0602, index.span, message).label(format!("is {place}"));
+            self.report(match elements.len() {
+                0 => diagnostic.hint("the list is empty"),
+                n => diagnostic.hint(format!("elements are counted from 0 to {}", n - 1)),
+            })
+        })
+    }
+
+    pub(super) fn slice(&mut self, frame: &mut Frame, list: Value, ranges: &[Expr]) -> Outcome<Value> {
+        let Some((first, rest)) = ranges.split_first() else { return Ok(list) };
+        let Value::List(elements) = list else { return Err(Stop::Reported) };
+        let Value::Range(from, to) = self.expr(frame, first)? else { return Err(Stop::Reported) };
+        let bounds = usize::try_from(from).ok().zip(usize::try_from(to).ok());
+        let part = bounds.filter(|(from, to)| from <= to).and_then(|(from, to)| elements.get(from..to));
+        let Some(part) = part else {
+            let message = format!("there is no part {from}..{to} of a list of {}", elements.len());
+            let diagnostic = Diagnostic::new(Code::E0602, first.span, message).label(format!("is {from}..{to}"));
+            return Err(self.report(diagnostic.hint(format!("parts lie within 0..{}", elements.len()))));
+        };
+        self.spend(part.len() as u64, first.span)?;
+        let part: Outcome<Vec<Value>> = part.iter().map(|row| self.slice(frame, row.clone(), rest)).collect();
+        Ok(Value::List(Arc::new(part?)))
+    }
+
+    pub(super) fn each_field(&mut self, frame: &mut Frame, base: &Expr, index: usize) -> Outcome<Value> {
+        let Value::List(records) = self.expr(frame, base)? else { return Err(Stop::Reported) };
+        self.spend(records.len() as u64, base.span)?;
+        let fields: Outcome<Vec<Value>> = records
+            .iter()
+            .map(|record| match record {
+                Value::Record(_, fields) => fields.get(index).cloned().ok_or(Stop::Reported),
+                _ => Err(Stop::Reported),
+            })
+            .collect();
+        Ok(Value::List(Arc::new(fields?)))
+    }
+}

@@ -1,0 +1,171 @@
+//! The evaluator: from the typed tree to values, with a budget of steps. It never loops for ever, and every failure is a
+//! diagnostic at the expression that failed.
+
+mod budget;
+mod combination;
+mod conversion;
+mod expression;
+mod instance;
+mod list;
+mod native;
+mod operator;
+mod overrides;
+mod placement;
+mod symbolic;
+
+pub use expression::{quantity_words, words};
+pub use budget::{MOST_ELEMENTS, MOST_STEPS};
+pub use instance::{InstanceBody, InstanceTransform};
+pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
+
+use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};
+use super::value::{Instance, Value};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::exact::AtomId;
+use crate::source::Span;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Why an expression has no value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// A diagnostic says why.
+    Reported,
+    /// It depends on parameters that are symbols here.
+    Undetermined,
+}
+
+/// What an expression gives.
+pub type Outcome<T> = Result<T, Stop>;
+
+/// Evaluates the items of one design.
+pub struct Evaluator<'a> {
+    hir: &'a Hir,
+    globals: BTreeMap<ItemId, Outcome<Value>>,
+    diagnostics: Diagnostics,
+    budget: budget::Budget,
+    calls: Vec<Span>,
+    overrides: &'a Overrides,
+    /// Names of the atoms of the ifs being checked for all its parameters.
+    atoms: Vec<String>,
+    /// Names of the control points of the ifs being worked out.
+    points: Vec<String>,
+    /// Every ifs that is used where its pieces must join.
+    must_join: Vec<MustJoin>,
+    /// Every ifs with an error in it, reported once.
+    broken: BTreeSet<ItemId>,
+}
+
+/// An ifs used where its pieces must join.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MustJoin {
+    /// The ifs.
+    pub ifs: Instance,
+    /// Where it is used.
+    pub span: Span,
+    /// Why they must.
+    pub why: String,
+}
+
+/// The slots of a call, and the ifs around.
+struct Frame {
+    slots: Vec<Option<Value>>,
+    own_ifs: Option<Instance>,
+}
+
+impl Frame {
+    fn new(slots: u32) -> Self {
+        Frame { slots: vec![None; slots as usize], own_ifs: None }
+    }
+
+    fn set(&mut self, id: LocalId, value: Value) {
+        if let Some(slot) = self.slots.get_mut(id.0 as usize) {
+            *slot = Some(value);
+        }
+    }
+}
+
+impl<'a> Evaluator<'a> {
+    /// An evaluator of a design with some of its parameters set from outside.
+    pub fn new(hir: &'a Hir, overrides: &'a Overrides) -> Self {
+        Evaluator {
+            hir,
+            globals: BTreeMap::new(),
+            diagnostics: Diagnostics::default(),
+            budget: budget::Budget::default(),
+            calls: Vec::new(),
+            overrides,
+            atoms: Vec::new(),
+            points: Vec::new(),
+            must_join: Vec::new(),
+            broken: BTreeSet::new(),
+        }
+    }
+
+    /// What has been found so far.
+    pub fn finish(self) -> Vec<Diagnostic> {
+        self.diagnostics.finish()
+    }
+
+    /// The value of a param, let or figure; each is worked out once.
+    ///
+    /// # Errors
+    /// After a report.
+    pub fn global(&mut self, id: ItemId) -> Outcome<Value> {
+        if let Some(known) = self.globals.get(&id) {
+            return known.clone();
+        }
+        let hir = self.hir;
+        let outcome = match &hir.item(id).kind {
+            ItemKind::Param(param) => self.parameter(id, param),
+            ItemKind::Let(body) | ItemKind::Figure(body) => self.body(body),
+            _ => Err(Stop::Reported),
+        };
+        self.globals.insert(id, outcome.clone());
+        outcome
+    }
+
+    /// The value of an expression with a frame of its own.
+    ///
+    /// # Errors
+    /// After a report.
+    pub fn body(&mut self, body: &Body) -> Outcome<Value> {
+        // A global's value does not depend on who asked for it first: neither do its messages.
+        let calls = std::mem::take(&mut self.calls);
+        let outcome = self.expr(&mut Frame::new(body.slots), &body.value);
+        self.calls = calls;
+        outcome
+    }
+
+    /// The value of an expression of a fabricate block, `material` in its first slot.
+    ///
+    /// # Errors
+    /// After a report.
+    pub fn in_block(&mut self, value: &super::tree::Expr, slots: u32, material: Option<&Value>) -> Outcome<Value> {
+        let mut frame = Frame::new(slots.max(1));
+        if let Some(material) = material {
+            frame.set(LocalId(0), material.clone());
+        }
+        self.expr(&mut frame, value)
+    }
+
+    /// The uses of ifs whose pieces must join, met so far.
+    pub fn must_join(&self) -> &[MustJoin] {
+        &self.must_join
+    }
+
+    fn report(&mut self, mut diagnostic: Diagnostic) -> Stop {
+        if let Some(call) = self.calls.iter().rev().find(|call| **call != diagnostic.span) {
+            diagnostic = diagnostic.also(*call, "called here");
+        }
+        self.diagnostics.push(diagnostic);
+        Stop::Reported
+    }
+
+    fn atom(&mut self, name: String) -> AtomId {
+        let index = self.atoms.iter().position(|known| *known == name).unwrap_or_else(|| {
+            self.atoms.push(name);
+            self.atoms.len() - 1
+        });
+        AtomId(index as u32)
+    }
+}

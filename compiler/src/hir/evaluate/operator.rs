@@ -1,0 +1,79 @@
+//! Operators.
+
+use super::{Evaluator, Frame, Outcome, Stop};
+use crate::hir::scalar::Scalar;
+use crate::hir::tree::{Arithmetic, Expr};
+use crate::hir::value::Value;
+use crate::source::Span;
+use crate::syntax::ast::Comparison;
+use std::cmp::Ordering;
+
+impl Evaluator<'_> {
+    pub(super) fn negate(&mut self, frame: &mut Frame, inner: &Expr) -> Outcome<Value> {
+        match self.expr(frame, inner)? {
+            Value::Scalar(scalar) => Ok(Value::Scalar(scalar.negated())),
+            Value::Combination(sum) => self.scale(&sum, &Scalar::integer(-1), false, inner.span),
+            _ => Err(Stop::Reported),
+        }
+    }
+
+    pub(super) fn arithmetic(
+        &mut self,
+        arithmetic: Arithmetic,
+        at: Span,
+        (left_expr, left): (&Expr, Value),
+        (right_expr, right): (&Expr, Value),
+        span: Span,
+    ) -> Outcome<Value> {
+        match (&left, &right) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let outcome = match arithmetic {
+                    Arithmetic::Add => a.plus(b),
+                    Arithmetic::Subtract => a.minus(b),
+                    Arithmetic::Multiply => a.times(b),
+                    Arithmetic::Divide => a.over(b),
+                };
+                let place = if arithmetic == Arithmetic::Divide { right_expr.span } else { at };
+                outcome.map(Value::Scalar).map_err(|error| self.scalar_error(error, place))
+            }
+            (Value::Combination(a), Value::Combination(b)) => self.combine(arithmetic, a, b, span),
+            (Value::Combination(a), Value::Scalar(factor)) => {
+                let divide = arithmetic == Arithmetic::Divide;
+                if divide && factor.is_zero() {
+                    return Err(self.scalar_error(crate::hir::scalar::ScalarError::DivisionByZero, right_expr.span));
+                }
+                self.scale(a, factor, divide, span)
+            }
+            (Value::Scalar(factor), Value::Combination(b)) => self.scale(b, factor, false, left_expr.span.to(span)),
+            _ => Err(Stop::Reported),
+        }
+    }
+
+    pub(super) fn comparison(
+        &mut self,
+        frame: &mut Frame,
+        comparison: Comparison,
+        left: &Expr,
+        right: &Expr,
+    ) -> Outcome<Value> {
+        let (a, b) = (self.expr(frame, left)?, self.expr(frame, right)?);
+        let order = match (&a, &b) {
+            (Value::Scalar(a), Value::Scalar(b)) => self.order(a, b, left.span.to(right.span))?,
+            _ if a == b => Ordering::Equal,
+            _ => Ordering::Less,
+        };
+        Ok(Value::Bool(holds(comparison, order)))
+    }
+}
+
+/// Whether a comparison holds for two values in this order.
+pub(super) fn holds(comparison: Comparison, order: Ordering) -> bool {
+    match comparison {
+        Comparison::Equal => order.is_eq(),
+        Comparison::NotEqual => order.is_ne(),
+        Comparison::Less => order.is_lt(),
+        Comparison::AtMost => order.is_le(),
+        Comparison::Greater => order.is_gt(),
+        Comparison::AtLeast => order.is_ge(),
+    }
+}

@@ -1,0 +1,154 @@
+//! Parameters set from outside, their ranges, and levels shifted while a remedy is looked for.
+
+use super::{Evaluator, Outcome, Stop};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::exact::Rational;
+use crate::hir::dimension::{Worth, unit_worth};
+use crate::hir::scalar::Scalar;
+use crate::hir::tree::{ItemId, Param};
+use crate::hir::types::Type;
+use crate::hir::value::Value;
+use crate::syntax::ast::Unit;
+use std::collections::BTreeMap;
+
+/// What is set from outside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Overrides {
+    /// Parameters by name, as written: `7m`, `0.46`, `true`.
+    pub parameters: BTreeMap<String, String>,
+    /// Parameters by name, worked out already; these win. For looking for remedies.
+    pub values: BTreeMap<String, Scalar>,
+    /// A figure whose levels are read higher or lower by so much.
+    pub level_shift: Option<(String, i32)>,
+}
+
+/// A parameter's value as it is used, for reports.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterValue {
+    /// Its name.
+    pub name: String,
+    /// Its value.
+    pub value: Value,
+    /// Its type.
+    pub ty: Type,
+}
+
+/// Why a text is no value of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OverrideError {
+    /// It cannot be read as a number with a unit of the dimension, a truth or a text.
+    NotAValue,
+}
+
+/// Reads a value as it is written after `--set name=`.
+///
+/// # Errors
+/// When it is no value of the type.
+pub fn read_value(text: &str, ty: &Type) -> Result<Value, OverrideError> {
+    let text = text.trim();
+    match ty {
+        Type::Text => Ok(Value::Text(text.into())),
+        Type::Bool => match text {
+            "true" => Ok(Value::Bool(true)),
+            "false" => Ok(Value::Bool(false)),
+            _ => Err(OverrideError::NotAValue),
+        },
+        _ => read_number(text, ty).map(Value::Scalar).ok_or(OverrideError::NotAValue),
+    }
+}
+
+fn read_number(text: &str, ty: &Type) -> Option<Scalar> {
+    let (negative, digits) = match text.strip_prefix('-') {
+        Some(rest) => (true, rest),
+        None => (false, text),
+    };
+    let unit = Unit::ALL
+        .iter()
+        .filter(|unit| digits.ends_with(unit.suffix()))
+        .max_by_key(|unit| unit.suffix().len());
+    let number = unit.map_or(digits, |unit| &digits[..digits.len() - unit.suffix().len()]);
+    let number = number.trim_end();
+    let well_formed = number.starts_with(|c: char| c.is_ascii_digit())
+        && number.chars().all(|c| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-'));
+    if !well_formed {
+        return None;
+    }
+    let value = Rational::from_decimal(number).ok()?;
+    let value = if negative { -value } else { value };
+    let dimension = ty.dimension()?;
+    let Some(unit) = unit else {
+        let plain = dimension == crate::hir::dimension::Dimension::NUMBER;
+        let whole = *ty != Type::Int || value.is_integer();
+        return (plain && whole).then_some(Scalar::Exact(value));
+    };
+    let (of, worth) = unit_worth(*unit);
+    let whole = *ty != Type::Int;
+    (of == dimension && whole).then(|| match worth {
+        Worth::Exact(worth) => Scalar::Exact(&value * &worth),
+        Worth::TimesPi(worth) => Scalar::Pi(&value * &worth),
+    })
+}
+
+impl Evaluator<'_> {
+    pub(super) fn parameter(&mut self, id: ItemId, param: &Param) -> Outcome<Value> {
+        let item = self.hir.item(id);
+        let (name, name_span) = (item.name.clone(), item.name_span);
+        let set = if name_span.file == self.hir.root { self.overrides.parameters.get(&name) } else { None };
+        let tried = self.overrides.values.get(&name).filter(|_| name_span.file == self.hir.root);
+        let value = match (tried, set) {
+            (Some(value), _) => Value::Scalar(value.clone()),
+            (None, None) => self.body(&param.default)?,
+            (None, Some(text)) => read_value(text, &param.ty).map_err(|_| {
+                let message = format!("`{text}` is no value for the parameter `{name}`");
+                let unit = param.ty.dimension().map_or("", |dimension| dimension.display_unit().0);
+                let example = match &param.ty {
+                    Type::Bool => "true".to_owned(),
+                    Type::Int => "3".to_owned(),
+                    _ => format!("1.5{unit}"),
+                };
+                let diagnostic = Diagnostic::new(Code::E0606, name_span, message).label("declared here");
+                self.report(diagnostic.hint(format!("write it like `--set {name}={example}`")))
+            })?,
+        };
+        self.in_range(&name, name_span, param, &value, set.is_some())?;
+        Ok(value)
+    }
+
+    fn in_range(
+        &mut self,
+        name: &str,
+        name_span: crate::source::Span,
+        param: &Param,
+        value: &Value,
+        set: bool,
+    ) -> Outcome<()> {
+        let Some((from, to)) = &param.range else { return Ok(()) };
+        let range_span = from.value.span.to(to.value.span);
+        let (least, most) = (self.body(from)?, self.body(to)?);
+        let (Some(value), Some(least), Some(most)) = (value.scalar(), least.scalar(), most.scalar()) else {
+            return Err(Stop::Reported);
+        };
+        let inside = |a: &Scalar, b: &Scalar| a.compare(b).is_ok_and(std::cmp::Ordering::is_le);
+        let words = |scalar: &Scalar| super::words(scalar, &param.ty);
+        if !inside(least, most) {
+            let message = format!("the range of `{name}` is empty: {} is above {}", words(least), words(most));
+            return Err(self.report(Diagnostic::new(Code::E0607, range_span, message).label("nothing lies in it")));
+        }
+        if inside(least, value) && inside(value, most) {
+            return Ok(());
+        }
+        let message = format!(
+            "`{name}` is {}, outside of its range {} .. {}",
+            words(value),
+            words(least),
+            words(most)
+        );
+        let nearest = if inside(value, least) { words(least) } else { words(most) };
+        let place = if set { name_span } else { param.default.value.span };
+        let diagnostic = Diagnostic::new(Code::E0601, place, message)
+            .label(if set { "set from outside" } else { "its default" })
+            .also(range_span, "its range")
+            .hint(format!("the nearest value in the range is {nearest}"));
+        Err(self.report(diagnostic))
+    }
+}

@@ -1,0 +1,177 @@
+//! An ifs put on control points, and figures at a level.
+
+use super::{Evaluator, Frame, MustJoin, Outcome, Stop};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::tree::{Expr, ItemKind};
+use crate::hir::value::{Combination, Figure, IfsValue, Instance, Level, Shape, Terms, Value};
+use crate::source::Span;
+use std::sync::Arc;
+
+impl Evaluator<'_> {
+    pub(super) fn on(&mut self, frame: &mut Frame, ifs: &Expr, points: &Expr, at: Span, span: Span) -> Outcome<Value> {
+        let ifs_value = self.expr(frame, ifs)?;
+        let points = self.expr(frame, points)?;
+        let Value::Ifs(ifs_value) = ifs_value else { return Err(Stop::Reported) };
+        let shape = match ifs_value.as_ref() {
+            IfsValue::Instance(instance) => self.curve(instance, &points, at)?,
+            IfsValue::Tensor(u, v) => self.patch(u, v, &points, at)?,
+        };
+        Ok(Value::Figure(Arc::new(Figure { shape, level: None, span })))
+    }
+
+    fn control_points(&self, instance: &Instance) -> usize {
+        match &self.hir.item(instance.ifs).kind {
+            ItemKind::Ifs(ifs) => ifs.control_points.len(),
+            _ => 0,
+        }
+    }
+
+    fn curve(&mut self, instance: &Instance, points: &Value, at: Span) -> Outcome<Shape> {
+        let list = points.list().ok_or(Stop::Reported)?;
+        let needed = self.control_points(instance);
+        if list.first().is_some_and(|first| first.list().is_some()) {
+            let message = "a curve is placed on a list of control points, not on a grid";
+            let diagnostic = Diagnostic::new(Code::E0510, at, message).label("a grid");
+            return Err(self.report(diagnostic.hint("use `tensor(…, …) on` the grid, or one row of it")));
+        }
+        if list.len() != needed {
+            let name = self.hir.item(instance.ifs).name.clone();
+            let declared = self.hir.item(instance.ifs).name_span;
+            let message = format!("`{name}` is placed on {needed} control points, but {} are given", list.len());
+            let diagnostic = Diagnostic::new(Code::E0504, at, message).label(format!("{} points", list.len()));
+            return Err(self.report(diagnostic.also(declared, "declared here")));
+        }
+        let (points, dimension) = self.placed(list, at)?;
+        Ok(Shape::Curve { ifs: instance.clone(), points, dimension })
+    }
+
+    fn patch(&mut self, u: &Instance, v: &Instance, points: &Value, at: Span) -> Outcome<Shape> {
+        let (net, rows, columns) = self.net(points, at)?;
+        let needed = (self.control_points(u), self.control_points(v));
+        if (rows, columns) != needed {
+            let message = format!(
+                "this product is placed on a grid of {} by {} control points, but the grid is {rows} by {columns}",
+                needed.0, needed.1
+            );
+            let diagnostic = Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}"));
+            let hint = format!("take a part of it, such as `[0..{}, 0..{}]`, or use `sheet`", needed.0, needed.1);
+            return Err(self.report(diagnostic.hint(hint)));
+        }
+        let (u, v) = (u.clone(), v.clone());
+        Ok(Shape::Sheet { u, v, net, rows, columns, windows: false })
+    }
+
+    /// `sheet(u, v, net)`
+    pub(super) fn sheet(&mut self, u: &Value, v: &Value, net: &Value, at: Span, span: Span) -> Outcome<Value> {
+        let (Some(u), Some(v)) = (self.factor(u, span)?, self.factor(v, span)?) else {
+            return Err(Stop::Reported);
+        };
+        let (net, rows, columns) = self.net(net, at)?;
+        let needed = (self.control_points(&u), self.control_points(&v));
+        if rows < needed.0 || columns < needed.1 {
+            let message = format!(
+                "a sheet needs a net of at least {} by {} control points, but this one is {rows} by {columns}",
+                needed.0, needed.1
+            );
+            return Err(self.report(Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}"))));
+        }
+        let shape = Shape::Sheet { u, v, net, rows, columns, windows: true };
+        Ok(Value::Figure(Arc::new(Figure { shape, level: None, span })))
+    }
+
+    /// A factor of a product: one ifs whose pieces join.
+    pub(super) fn factor(&mut self, value: &Value, span: Span) -> Outcome<Option<Instance>> {
+        let Value::Ifs(ifs) = value else { return Ok(None) };
+        match ifs.as_ref() {
+            IfsValue::Instance(instance) => {
+                let why = "a surface is a product of curves".to_owned();
+                self.must_join.push(MustJoin { ifs: instance.clone(), span, why });
+                Ok(Some(instance.clone()))
+            }
+            IfsValue::Tensor(..) => {
+                let message = "a surface is the product of two curves, not of surfaces";
+                Err(self.report(Diagnostic::new(Code::E0510, span, message).label("a product of a product")))
+            }
+        }
+    }
+
+    #[allow(clippy::type_complexity, reason = "points, rows and columns")]
+    fn net(&mut self, points: &Value, at: Span) -> Outcome<(Vec<[f64; 3]>, usize, usize)> {
+        let rows = points.list().ok_or(Stop::Reported)?;
+        let columns = rows.first().and_then(Value::list).map_or(0, <[Value]>::len);
+        let mut net = Vec::new();
+        for (index, row) in rows.iter().enumerate() {
+            let Some(row) = row.list() else {
+                let message = "a surface is placed on a grid: a list of rows of control points";
+                return Err(self.report(Diagnostic::new(Code::E0510, at, message).label("a plain list")));
+            };
+            if row.len() != columns {
+                let message = format!("row {index} of the net has {} points, row 0 has {columns}", row.len());
+                return Err(self.report(Diagnostic::new(Code::E0510, at, message).label("rows of different lengths")));
+            }
+            let (points, dimension) = self.placed(row, at)?;
+            if dimension != 3 {
+                let message = "the control points of a surface have three coordinates";
+                return Err(self.report(Diagnostic::new(Code::E0510, at, message).label("two coordinates")));
+            }
+            net.extend(points);
+        }
+        if net.is_empty() {
+            return Err(self.report(Diagnostic::new(Code::E0510, at, "the net has no points").label("empty")));
+        }
+        Ok((net, rows.len(), columns))
+    }
+
+    /// Coordinates as doubles, with how many of them there are.
+    fn placed(&mut self, points: &[Value], at: Span) -> Outcome<(Vec<[f64; 3]>, u8)> {
+        let mut placed = Vec::with_capacity(points.len());
+        let mut dimension = 0;
+        for point in points {
+            let Value::Combination(point) = point else { return Err(Stop::Reported) };
+            let (point, count) = self.coordinates_of(point)?;
+            if dimension != 0 && dimension != count {
+                let message = "points of the plane and points in space do not mix";
+                let diagnostic = Diagnostic::new(Code::E0402, at, message).label("two and three coordinates");
+                return Err(self.report(diagnostic.hint("give every point the same number of coordinates")));
+            }
+            dimension = count;
+            placed.push(point);
+        }
+        Ok((placed, dimension))
+    }
+
+    fn coordinates_of(&mut self, point: &Combination) -> Outcome<([f64; 3], u8)> {
+        let Terms::Coordinates(coordinates) = &point.terms else { return Err(Stop::Reported) };
+        let mut out = [0.0; 3];
+        for (place, coordinate) in out.iter_mut().zip(coordinates) {
+            *place = coordinate.to_f64().ok_or(Stop::Undetermined)?;
+        }
+        Ok((out, coordinates.len() as u8))
+    }
+
+    pub(super) fn at(&mut self, frame: &mut Frame, figure: &Expr, u: &Expr, v: Option<&Expr>) -> Outcome<Value> {
+        let Value::Figure(value) = self.expr(frame, figure)? else { return Err(Stop::Reported) };
+        let level = self.level(frame, u)?;
+        let second = match v {
+            Some(v) => Some(self.level(frame, v)?),
+            None => None,
+        };
+        if let (Some(_), Shape::Curve { .. }) = (second, &value.shape) {
+            let message = "a curve has one level, not two";
+            let diagnostic = Diagnostic::new(Code::E0604, u.span, message).label("two levels");
+            return Err(self.report(diagnostic.hint("write `at level 4`")));
+        }
+        let span = v.map_or(u.span, |v| u.span.to(v.span));
+        let level = Some(Level { u: level, v: second, span });
+        Ok(Value::Figure(Arc::new(Figure { level, ..value.as_ref().clone() })))
+    }
+
+    fn level(&mut self, frame: &mut Frame, level: &Expr) -> Outcome<u32> {
+        let value = self.integer(frame, level)?;
+        if value < 0 {
+            let message = format!("a level is not below 0, but this is {value}");
+            return Err(self.report(Diagnostic::new(Code::E0604, level.span, message).label("below 0")));
+        }
+        Ok(u32::try_from(value).unwrap_or(u32::MAX))
+    }
+}

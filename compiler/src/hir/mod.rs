@@ -1,0 +1,16 @@
+//! From the tree as written to the typed tree, and from that to values: names, modules, the standard library, types,
+//! dimensions, affine weights and evaluation. Matrices, counts and meshes are elsewhere.
+
+mod check;
+pub mod dimension;
+pub mod evaluate;
+mod library;
+pub mod native;
+pub mod scalar;
+pub mod schema;
+pub mod tree;
+pub mod types;
+pub mod value;
+
+pub use check::{Checked, ModuleSource, check};
+pub use library::{LIBRARY, library_text};

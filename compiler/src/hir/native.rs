@@ -1,0 +1,219 @@
+//! The functions that the program itself gives the language: the one table of them. Their evaluation is in
+//! `evaluate/native.rs`, their result types in `check/native.rs`.
+
+use super::schema::ChoiceKind;
+use super::types::{PointSpace, Type};
+
+/// A function of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[allow(missing_docs, reason = "the table below says what each is")]
+pub enum Native {
+    Sin,
+    Cos,
+    Tan,
+    Sqrt,
+    Abs,
+    Floor,
+    Round,
+    Min,
+    Max,
+    Sum,
+    Len,
+    Lerp,
+    Interpolate,
+    Segment,
+    Tensor,
+    Sheet,
+}
+
+/// What a parameter takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Takes {
+    /// A number of any dimension.
+    Quantity,
+    /// A number of any dimension, or a list of them.
+    QuantityOrList,
+    /// A list of numbers of one dimension.
+    Quantities,
+    /// A plain number.
+    Number,
+    /// An angle.
+    Angle,
+    /// A list of anything.
+    List,
+    /// A point.
+    Point,
+    /// A list of points.
+    Points,
+    /// An ifs.
+    Ifs,
+    /// A grid of points.
+    Net,
+    /// `u`, `v` or `both`.
+    Closed,
+}
+
+impl Takes {
+    /// The type to check an argument against, where there is just one.
+    pub fn expected(self) -> Option<Type> {
+        let list = |ty: Type| Type::List(Box::new(ty));
+        match self {
+            Takes::Number => Some(Type::NUMBER),
+            Takes::Angle => Some(Type::ANGLE),
+            Takes::Point => Some(Type::Point(PointSpace::Any)),
+            Takes::Points => Some(list(Type::Point(PointSpace::Any))),
+            Takes::Ifs => Some(Type::Ifs),
+            Takes::Net => Some(list(list(Type::Point(PointSpace::Space)))),
+            Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
+            Takes::Quantity | Takes::QuantityOrList | Takes::Quantities | Takes::List => None,
+        }
+    }
+}
+
+/// A parameter of a native.
+#[derive(Clone, Copy, Debug)]
+pub struct NativeParameter {
+    /// Its name.
+    pub name: &'static str,
+    /// What it takes.
+    pub takes: Takes,
+    /// Whether it must be given.
+    pub required: bool,
+}
+
+/// The declaration of a native.
+#[derive(Clone, Copy, Debug)]
+pub struct NativeDeclaration {
+    /// Which.
+    pub native: Native,
+    /// The module of the library it belongs to; `prelude` needs no `use`.
+    pub module: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// What it takes.
+    pub parameters: &'static [NativeParameter],
+    /// One line for people.
+    pub doc: &'static str,
+}
+
+const fn needs(name: &'static str, takes: Takes) -> NativeParameter {
+    NativeParameter { name, takes, required: true }
+}
+
+const fn may(name: &'static str, takes: Takes) -> NativeParameter {
+    NativeParameter { name, takes, required: false }
+}
+
+const fn native(
+    native: Native,
+    module: &'static str,
+    name: &'static str,
+    parameters: &'static [NativeParameter],
+    doc: &'static str,
+) -> NativeDeclaration {
+    NativeDeclaration { native, module, name, parameters, doc }
+}
+
+/// Every native.
+pub const NATIVES: &[NativeDeclaration] = &[
+    native(Native::Sin, "prelude", "sin", &[needs("angle", Takes::Angle)], "the sine of an angle"),
+    native(Native::Cos, "prelude", "cos", &[needs("angle", Takes::Angle)], "the cosine of an angle"),
+    native(Native::Tan, "prelude", "tan", &[needs("angle", Takes::Angle)], "the tangent of an angle"),
+    native(Native::Sqrt, "prelude", "sqrt", &[needs("x", Takes::Quantity)], "the square root; of an area, a length"),
+    native(Native::Abs, "prelude", "abs", &[needs("x", Takes::Quantity)], "the number without its sign"),
+    native(Native::Floor, "prelude", "floor", &[needs("x", Takes::Number)], "the whole number at or below"),
+    native(Native::Round, "prelude", "round", &[needs("x", Takes::Number)], "the nearest whole number, halves up"),
+    native(
+        Native::Min,
+        "prelude",
+        "min",
+        &[needs("a", Takes::QuantityOrList), may("b", Takes::Quantity)],
+        "the smaller of two numbers, or the smallest of a list",
+    ),
+    native(
+        Native::Max,
+        "prelude",
+        "max",
+        &[needs("a", Takes::QuantityOrList), may("b", Takes::Quantity)],
+        "the larger of two numbers, or the largest of a list",
+    ),
+    native(Native::Sum, "prelude", "sum", &[needs("list", Takes::Quantities)], "the sum of a list of numbers"),
+    native(Native::Len, "prelude", "len", &[needs("list", Takes::List)], "how many elements a list has"),
+    native(
+        Native::Lerp,
+        "prelude",
+        "lerp",
+        &[needs("a", Takes::Point), needs("b", Takes::Point), needs("t", Takes::Number)],
+        "the point (1 - t) a + t b",
+    ),
+    native(
+        Native::Interpolate,
+        "prelude",
+        "interpolate",
+        &[needs("x", Takes::Quantity), needs("table", Takes::Points)],
+        "the second coordinate at x, straight between the points of the table; an error beyond its ends",
+    ),
+    native(
+        Native::Segment,
+        "prelude",
+        "segment",
+        &[needs("start", Takes::Point), needs("end", Takes::Point)],
+        "the germ that draws the straight line between two points",
+    ),
+    native(
+        Native::Tensor,
+        "surfaces",
+        "tensor",
+        &[needs("u", Takes::Ifs), needs("v", Takes::Ifs)],
+        "the tensor product of two curves' ifs: a surface on a grid of control points, rows along u",
+    ),
+    native(
+        Native::Sheet,
+        "surfaces",
+        "sheet",
+        &[needs("u", Takes::Ifs), needs("v", Takes::Ifs), needs("net", Takes::Net), may("closed", Takes::Closed)],
+        "the tensor product on every window of a larger net, joined",
+    ),
+];
+
+/// Names that the language has but the program not yet, with the module they belong to.
+pub const LATER: &[(&str, &str)] = &[
+    ("curves", "chord_fractal"),
+    ("surfaces", "translation"),
+    ("surfaces", "scale_translation"),
+    ("surfaces", "projective_sum"),
+    ("surfaces", "revolution"),
+    ("prelude", "weighted"),
+    ("prelude", "quad"),
+    ("prelude", "polygon"),
+    ("prelude", "point"),
+    ("prelude", "strut"),
+    ("prelude", "import"),
+    ("prelude", "translate"),
+    ("prelude", "rotate"),
+    ("prelude", "turn"),
+    ("prelude", "scale"),
+    ("prelude", "affine"),
+    ("prelude", "plane"),
+    ("prelude", "cut"),
+];
+
+impl Native {
+    /// Its declaration.
+    pub fn declaration(self) -> &'static NativeDeclaration {
+        NATIVES.iter().find(|declaration| declaration.native == self).unwrap_or(&NATIVES[0])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_native_is_declared_once() {
+        for declaration in NATIVES {
+            assert_eq!(declaration.native.declaration().name, declaration.name);
+            assert_eq!(NATIVES.iter().filter(|other| other.name == declaration.name).count(), 1);
+        }
+    }
+}

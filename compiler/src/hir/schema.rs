@@ -1,0 +1,255 @@
+//! The closed sets of words and the settings blocks that the program itself knows: what a fabricate block may say.
+//!
+//! The meaning of each setting is in `fabricate`; here are names, types and which of them must be given.
+
+use super::dimension::Dimension;
+use super::types::Type;
+
+/// A closed set of words that stand for themselves where one of them is needed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ChoiceKind {
+    /// Where the design surface lies in the thickness.
+    Side,
+    /// Along which direction of the surface the grain runs.
+    Grain,
+    /// How the edges of panels are cut.
+    Edges,
+    /// How the ends of planks are cut.
+    Ends,
+    /// Which vertices planarizing leaves in place.
+    Pin,
+    /// Which directions of a net are closed.
+    Closed,
+    /// How planarizing goes about it.
+    PlanarizeMethod,
+    /// Whether a board is engraved.
+    Engraved,
+}
+
+/// One word of a choice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// As written.
+    pub name: &'static str,
+    /// Whether the program can do it already.
+    pub available: bool,
+}
+
+const fn now(name: &'static str) -> Word {
+    Word { name, available: true }
+}
+
+const fn later(name: &'static str) -> Word {
+    Word { name, available: false }
+}
+
+impl ChoiceKind {
+    /// Its words in order; a value of the choice is an index into them.
+    pub fn words(self) -> &'static [Word] {
+        const SIDE: &[Word] = &[now("inner"), now("centred"), now("outer")];
+        const GRAIN: &[Word] = &[now("u"), now("v"), now("free")];
+        const EDGES: &[Word] = &[now("square"), later("bevelled"), later("stepped")];
+        const ENDS: &[Word] = &[now("square"), now("mitred")];
+        const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
+        const CLOSED: &[Word] = &[later("u"), later("v"), later("both")];
+        const METHOD: &[Word] = &[now("perturbation"), later("projection")];
+        const ENGRAVED: &[Word] = &[now("none")];
+        match self {
+            ChoiceKind::Side => SIDE,
+            ChoiceKind::Grain => GRAIN,
+            ChoiceKind::Edges => EDGES,
+            ChoiceKind::Ends => ENDS,
+            ChoiceKind::Pin => PIN,
+            ChoiceKind::Closed => CLOSED,
+            ChoiceKind::PlanarizeMethod => METHOD,
+            ChoiceKind::Engraved => ENGRAVED,
+        }
+    }
+
+    /// The place of a word in the choice.
+    pub fn position(self, name: &str) -> Option<usize> {
+        self.words().iter().position(|word| word.name == name)
+    }
+}
+
+/// A block of settings the program knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SchemaKind {
+    /// `fabricate … as panels`
+    Panels,
+    /// `fabricate … as planks`
+    Planks,
+    /// `planarize: { … }`
+    Planarize,
+}
+
+/// What a setting takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SettingType {
+    /// A value of this type.
+    Of(Type),
+    /// A record of the library by its name.
+    Library(&'static str),
+    /// A setting of the language that the program cannot do yet.
+    Later,
+}
+
+/// One setting.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// As written.
+    pub name: &'static str,
+    /// What it takes.
+    pub ty: SettingType,
+    /// Whether it must be given.
+    pub required: bool,
+    /// One line for people.
+    pub doc: &'static str,
+}
+
+fn setting(name: &'static str, ty: Type, required: bool, doc: &'static str) -> Setting {
+    Setting { name, ty: SettingType::Of(ty), required, doc }
+}
+
+fn library(name: &'static str, record: &'static str, required: bool, doc: &'static str) -> Setting {
+    Setting { name, ty: SettingType::Library(record), required, doc }
+}
+
+fn not_yet(name: &'static str, doc: &'static str) -> Setting {
+    Setting { name, ty: SettingType::Later, required: false, doc }
+}
+
+impl SchemaKind {
+    /// What the block is called in messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            SchemaKind::Panels => "panels",
+            SchemaKind::Planks => "planks",
+            SchemaKind::Planarize => "planarize",
+        }
+    }
+
+    /// The settings of the block in order.
+    pub fn settings(self) -> Vec<Setting> {
+        match self {
+            SchemaKind::Panels => panels(),
+            SchemaKind::Planks => planks(),
+            SchemaKind::Planarize => planarize(),
+        }
+    }
+
+    /// The settings of the block, those of the machine shop last.
+    pub fn setting(self, name: &str) -> Option<Setting> {
+        self.settings().into_iter().find(|setting| setting.name == name)
+    }
+}
+
+fn panels() -> Vec<Setting> {
+    let mut settings = vec![
+        setting("material", Type::Material, true, "what the boards are cut from; it gives the thickness"),
+        setting("board", Type::Size, true, "the size of a raw board, length by width"),
+        setting("side", Type::Choice(ChoiceKind::Side), false, "where the design surface lies in the thickness"),
+        setting("grain", Type::Choice(ChoiceKind::Grain), false, "the direction the grain runs"),
+        setting("edges", Type::Choice(ChoiceKind::Edges), false, "how the edges are cut"),
+        setting("planarize", Type::Settings(SchemaKind::Planarize), false, "make the quads flat first"),
+    ];
+    settings.extend(shop());
+    settings
+}
+
+fn planks() -> Vec<Setting> {
+    let mut settings = vec![
+        setting("material", Type::Material, true, "what the planks are cut from"),
+        setting("section", Type::Size, true, "depth, in the plane of the curve, by width"),
+        setting("stock", Type::LENGTH, false, "the length of a raw bar"),
+        setting("ends", Type::Choice(ChoiceKind::Ends), false, "how the ends at joints are cut"),
+        setting("gap", Type::LENGTH, false, "how much each side of a joint is shortened"),
+    ];
+    settings.extend(shop());
+    settings
+}
+
+fn shop() -> Vec<Setting> {
+    vec![
+        library("address", "Engraving", false, "how the alias is engraved; `none` for not at all"),
+        library("machine", "Machine", false, "the machine that cuts; without it no NC program is written"),
+        not_yet("scale", "a model of the building"),
+        not_yet("nest", "nesting on sheets"),
+    ]
+}
+
+fn planarize() -> Vec<Setting> {
+    let number = || Type::Quantity(Dimension::NUMBER);
+    vec![
+        setting("method", Type::Choice(ChoiceKind::PlanarizeMethod), false, "how to go about it"),
+        setting("worst", number(), false, "the weight of the worst planarity (alpha)"),
+        setting("average", number(), false, "the weight of the average planarity (beta)"),
+        setting("select", number(), false, "quads below this planarity are worked on"),
+        setting("threshold", number(), false, "the goal; else the block's `require planarity`"),
+        setting("step", Type::LENGTH, false, "the finite-difference step of the gradient"),
+        setting("move", Type::LENGTH, false, "the length of the first move"),
+        setting("iterations", Type::Int, false, "how many iterations at most"),
+        setting("pin", Type::Choice(ChoiceKind::Pin), false, "which vertices stay in place"),
+    ]
+}
+
+/// A measure that `require` can ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Measure {
+    /// The cosine of a quad's fold; 1 is flat.
+    Planarity,
+    /// The length of a quad's edges.
+    Edge,
+    /// The length of a plank on its axis.
+    Length,
+    /// The mitre at a plank's end.
+    Mitre,
+    /// The distance of the joints of neighbouring curves.
+    Overlap,
+    /// The radius to which a board is bent.
+    BendRadius,
+}
+
+impl Measure {
+    /// The measure of these words, where the program has it.
+    pub fn named(words: &str) -> Option<Measure> {
+        match words {
+            "planarity" => Some(Measure::Planarity),
+            "edge" => Some(Measure::Edge),
+            "length" => Some(Measure::Length),
+            "mitre" => Some(Measure::Mitre),
+            "overlap" => Some(Measure::Overlap),
+            "bend radius" => Some(Measure::BendRadius),
+            _ => None,
+        }
+    }
+
+    /// The words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Measure::Planarity => "planarity",
+            Measure::Edge => "edge",
+            Measure::Length => "length",
+            Measure::Mitre => "mitre",
+            Measure::Overlap => "overlap",
+            Measure::BendRadius => "bend radius",
+        }
+    }
+
+    /// The dimension of its limit.
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Measure::Planarity => Dimension::NUMBER,
+            Measure::Mitre => Dimension::ANGLE,
+            Measure::Edge | Measure::Length | Measure::Overlap | Measure::BendRadius => Dimension::LENGTH,
+        }
+    }
+
+    /// Which blocks may ask for it.
+    pub fn applies_to(self, block: SchemaKind) -> bool {
+        match self {
+            Measure::Planarity | Measure::Edge | Measure::BendRadius => block == SchemaKind::Panels,
+            Measure::Length | Measure::Mitre | Measure::Overlap => block == SchemaKind::Planks,
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! The types of the language and when one serves where another is needed.
+
+use super::dimension::Dimension;
+use super::schema::{ChoiceKind, SchemaKind};
+use super::tree::ItemId;
+
+/// The space points and vectors live in, as far as it is known before evaluation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum PointSpace {
+    /// Two coordinates.
+    Plane,
+    /// Three coordinates.
+    Space,
+    /// The control points of the ifs around.
+    Control,
+    /// Known only when evaluated.
+    Any,
+}
+
+/// A type.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Type {
+    /// A whole number; serves as a `Number`.
+    Int,
+    /// A number with a dimension; `Number` has none.
+    Quantity(Dimension),
+    /// True or false.
+    Bool,
+    /// A text.
+    Text,
+    /// A point: weights sum to 1.
+    Point(PointSpace),
+    /// A vector: weights sum to 0.
+    Vector(PointSpace),
+    /// A weighted sum of points whose sum is known only when evaluated.
+    WeightedSum(PointSpace),
+    /// A list.
+    List(Box<Type>),
+    /// `a .. b` of whole numbers.
+    IntRange,
+    /// `2500mm by 1250mm`
+    Size,
+    /// An iterated function system, not placed yet.
+    Ifs,
+    /// What an ifs draws at its last level.
+    Germ,
+    /// A figure whose pieces join along a line.
+    Curve,
+    /// A figure whose pieces join along their edges.
+    Surface,
+    /// Any figure.
+    Figure,
+    /// A record declared in the language.
+    Record(ItemId),
+    /// One of a closed set of words.
+    Choice(ChoiceKind),
+    /// `{ name: value }` with fields the program knows.
+    Settings(SchemaKind),
+    /// Any record that says what a board is made of.
+    Material,
+    /// Not understood; a diagnostic has been given. Serves everywhere.
+    Error,
+}
+
+impl Type {
+    /// A plain number.
+    pub const NUMBER: Type = Type::Quantity(Dimension::NUMBER);
+    /// A length.
+    pub const LENGTH: Type = Type::Quantity(Dimension::LENGTH);
+    /// An angle.
+    pub const ANGLE: Type = Type::Quantity(Dimension::ANGLE);
+
+    /// Its dimension, where it is a number.
+    pub fn dimension(&self) -> Option<Dimension> {
+        match self {
+            Type::Int => Some(Dimension::NUMBER),
+            Type::Quantity(dimension) => Some(*dimension),
+            _ => None,
+        }
+    }
+
+    /// The space of a point, vector or weighted sum.
+    pub fn point_space(&self) -> Option<PointSpace> {
+        match self {
+            Type::Point(space) | Type::Vector(space) | Type::WeightedSum(space) => Some(*space),
+            _ => None,
+        }
+    }
+
+    /// The smallest type that serves for both, for the elements of a list and the branches of a condition.
+    pub fn join(&self, other: &Type) -> Option<Type> {
+        match (self, other) {
+            (Type::Error, any) | (any, Type::Error) => Some(any.clone()),
+            (a, b) if a == b => Some(a.clone()),
+            (Type::Int, Type::Quantity(d)) | (Type::Quantity(d), Type::Int) if *d == Dimension::NUMBER => {
+                Some(Type::NUMBER)
+            }
+            (Type::List(a), Type::List(b)) => Some(Type::List(Box::new(a.join(b)?))),
+            (Type::Point(a), Type::Point(b)) => Some(Type::Point(a.join(*b)?)),
+            (Type::Vector(a), Type::Vector(b)) => Some(Type::Vector(a.join(*b)?)),
+            (a, b) if a.is_figure() && b.is_figure() => Some(Type::Figure),
+            (a, b) => {
+                let space = a.point_space()?.join(b.point_space()?)?;
+                Some(Type::WeightedSum(space))
+            }
+        }
+    }
+
+    /// Whether it is a figure of any kind.
+    pub fn is_figure(&self) -> bool {
+        matches!(self, Type::Curve | Type::Surface | Type::Figure)
+    }
+}
+
+impl PointSpace {
+    /// The space of both, `None` where they differ.
+    pub fn join(self, other: PointSpace) -> Option<PointSpace> {
+        match (self, other) {
+            (PointSpace::Any, space) | (space, PointSpace::Any) => Some(space),
+            (a, b) => (a == b).then_some(a),
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! Joins of segment germs (GEOMETRY 3): whether consecutive pieces of a curve meet end to start at every level, for all
+//! control points, by exact arithmetic on the weights.
+//!
+//! With start_0, end_0 the germ's rows, the first vertex of the chain of level k+1 has the weights
+//! start_{k+1}(s) = start_k(target of the first transform)·T_first, and its last vertex likewise. Pieces i and i+1 meet at
+//! every level when end_k(target_i)·T_i = start_k(target_{i+1})·T_{i+1} for all k ≥ 0. Both sides, as sequences in k,
+//! obey linear recurrences whose orders are at most the sums of control points over the states that the first (last)
+//! transforms lead through (Cayley–Hamilton); their difference obeys one of the summed order N, so it vanishes for all k
+//! once it does for k < N. Rows that no longer change end the proof sooner.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::exact::{MAX_BITS, Rational};
+
+use super::automaton::{Automaton, Germ, State, StateId, Transform};
+use super::matrix::row_times;
+
+/// Most multiplications of exact numbers spent on one proof, each counted once more for every 64 bits.
+const WORK_BUDGET: usize = 500_000;
+
+/// Whether pieces meet at every level, for all control points.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Joins {
+    /// They do.
+    Joined,
+    /// These two do not.
+    Open(OpenJoin),
+    /// They meet at all levels looked at, but the proof needs more than is allowed.
+    Unproved {
+        /// How many levels were looked at.
+        levels: u32,
+    },
+}
+
+/// Two consecutive pieces that do not meet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OpenJoin {
+    /// The state whose pieces they are.
+    pub state: StateId,
+    /// The place of the piece's transform that ends too early or late; for windows, 0.
+    pub left: usize,
+    /// The place of the transform whose piece should start there; for windows, 1.
+    pub right: usize,
+    /// The level of the state's figure at which they part: at least 1 for transforms, at least 0 for windows.
+    pub level: u32,
+    /// Weights of the left piece's end, on the state's control points (for windows, on one point more).
+    pub left_weights: Vec<Rational>,
+    /// Weights of the right piece's start, on the same points.
+    pub right_weights: Vec<Rational>,
+}
+
+/// Whether all pieces of the curve of `state`, and of every state it leads to, meet end to start.
+///
+/// # Panics
+/// When the state is not of this automaton.
+pub fn joins(automaton: &Automaton, state: StateId) -> Joins {
+    let mut ends = Ends::new(automaton, state);
+    let pairs: Vec<(StateId, usize, u32)> = automaton
+        .reachable(state)
+        .into_iter()
+        .flat_map(|id| (1..automaton.state(id).transforms.len()).map(move |right| (id, right)))
+        .map(|(id, right)| {
+            let transforms = &automaton.state(id).transforms;
+            let order =
+                ends.last_order(transforms[right - 1].target) + ends.first_order(transforms[right].target);
+            (id, right, order)
+        })
+        .collect();
+    let levels = pairs.iter().map(|(_, _, order)| *order).max().unwrap_or(0);
+    ends.prove(levels, |ends, k| {
+        let open = pairs.iter().filter(|(_, _, order)| k < *order);
+        open.map(|(id, right, _)| ends.transforms_apart(*id, *right, k)).find_map(|apart| apart)
+    })
+}
+
+/// Whether the windows (p0 … p_{n−1}) and (p1 … p_n) of a list of control points meet, as those of a B-spline do: the end
+/// of the first is the start of the second at every level. Whether the pieces within a window meet is [`joins`].
+///
+/// # Panics
+/// When the state is not of this automaton.
+pub fn windows_join(automaton: &Automaton, state: StateId) -> Joins {
+    let mut ends = Ends::new(automaton, state);
+    let levels = ends.last_order(state) + ends.first_order(state);
+    ends.prove(levels, |ends, k| {
+        let mut left_weights = ends.last[&state].clone();
+        left_weights.push(Rational::ZERO);
+        let mut right_weights = vec![Rational::ZERO];
+        right_weights.extend_from_slice(&ends.first[&state]);
+        let apart = OpenJoin { state, left: 0, right: 1, level: k, left_weights, right_weights };
+        (apart.left_weights != apart.right_weights).then_some(apart)
+    })
+}
+
+/// The weights of the first and the last vertex of every reachable state's chain, at one level.
+struct Ends<'a> {
+    automaton: &'a Automaton,
+    first: BTreeMap<StateId, Vec<Rational>>,
+    last: BTreeMap<StateId, Vec<Rational>>,
+    work_left: usize,
+}
+
+impl<'a> Ends<'a> {
+    /// At level 0: the germs' ends.
+    fn new(automaton: &'a Automaton, state: StateId) -> Ends<'a> {
+        let (mut first, mut last) = (BTreeMap::new(), BTreeMap::new());
+        for id in automaton.reachable(state) {
+            let Germ::Segment { start, end } = &automaton.state(id).germ;
+            first.insert(id, start.clone());
+            last.insert(id, end.clone());
+        }
+        Ends { automaton, first, last, work_left: WORK_BUDGET }
+    }
+
+    /// Looks for a parting at the levels below `levels`, and says that there is none at any level.
+    fn prove(&mut self, levels: u32, apart: impl Fn(&Ends<'_>, u32) -> Option<OpenJoin>) -> Joins {
+        for k in 0..levels {
+            if let Some(open) = apart(self, k) {
+                return Joins::Open(open);
+            }
+            match self.step() {
+                Some(true) => {}
+                Some(false) => return Joins::Joined,
+                None => return Joins::Unproved { levels: k + 1 },
+            }
+        }
+        Joins::Joined
+    }
+
+    /// One level deeper; whether anything changed, or `None` when the budget is spent.
+    fn step(&mut self) -> Option<bool> {
+        let weights = self.first.values().chain(self.last.values()).flatten();
+        let bits = weights.map(Rational::bits).max().unwrap_or(0);
+        if bits > MAX_BITS {
+            return None;
+        }
+        let multiplications =
+            self.first.keys().map(|id| self.multiplications(*id)).fold(0, usize::saturating_add);
+        let work = multiplications.saturating_mul(1 + bits as usize / 64);
+        self.work_left = self.work_left.checked_sub(work)?;
+        let first = self.stepped(&self.first, first_transform);
+        let last = self.stepped(&self.last, last_transform);
+        let changed = first != self.first || last != self.last;
+        (self.first, self.last) = (first, last);
+        Some(changed)
+    }
+
+    fn stepped(
+        &self,
+        rows: &BTreeMap<StateId, Vec<Rational>>,
+        choose: fn(&State) -> &Transform,
+    ) -> BTreeMap<StateId, Vec<Rational>> {
+        let step = |id: &StateId| {
+            let transform = choose(self.automaton.state(*id));
+            (*id, row_times(&rows[&transform.target], &transform.matrix))
+        };
+        rows.keys().map(step).collect()
+    }
+
+    /// Multiplications of one step of one state, and of comparing its pieces.
+    fn multiplications(&self, id: StateId) -> usize {
+        let entries = |transform: &Transform| transform.matrix.rows() * transform.matrix.columns();
+        2 * self.automaton.state(id).transforms.iter().map(entries).sum::<usize>()
+    }
+
+    /// The join of two neighbouring transforms at level k of their pieces, when it is open.
+    fn transforms_apart(&self, state: StateId, right: usize, k: u32) -> Option<OpenJoin> {
+        let transforms = &self.automaton.state(state).transforms;
+        let (a, b) = (&transforms[right - 1], &transforms[right]);
+        let left_weights = row_times(&self.last[&a.target], &a.matrix);
+        let right_weights = row_times(&self.first[&b.target], &b.matrix);
+        let apart = OpenJoin { state, left: right - 1, right, level: k + 1, left_weights, right_weights };
+        (apart.left_weights != apart.right_weights).then_some(apart)
+    }
+
+    fn first_order(&self, state: StateId) -> u32 {
+        self.order(state, first_transform)
+    }
+
+    fn last_order(&self, state: StateId) -> u32 {
+        self.order(state, last_transform)
+    }
+
+    /// A bound of the order of the recurrence which the end's weights obey: the control points of all states that the
+    /// chosen transforms lead through.
+    fn order(&self, state: StateId, choose: fn(&State) -> &Transform) -> u32 {
+        let mut visited = BTreeSet::new();
+        let mut id = state;
+        while visited.insert(id) {
+            id = choose(self.automaton.state(id)).target;
+        }
+        let points: usize = visited.iter().map(|id| self.automaton.state(*id).control_points).sum();
+        u32::try_from(points).unwrap_or(u32::MAX / 2)
+    }
+}
+
+/// The first transform; every state of an automaton has one.
+fn first_transform(state: &State) -> &Transform {
+    &state.transforms[0]
+}
+
+fn last_transform(state: &State) -> &Transform {
+    &state.transforms[state.transforms.len() - 1]
+}

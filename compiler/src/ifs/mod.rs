@@ -1,0 +1,24 @@
+//! Iterated function systems as exact matrices: the automaton of states, and what can be proved of it without points.
+//!
+//! Here live the matrices of barycentric weights, the automaton they form, counts of elements, contraction and joins.
+//! No syntax, no placed points, no levels of a design; only `exact` is imported.
+
+mod automaton;
+mod contraction;
+mod count;
+mod difference;
+mod joins;
+mod matrix;
+mod spectrum;
+mod words;
+
+pub use automaton::{Automaton, AutomatonError, Germ, MAX_STATES, State, StateId, Transform};
+pub use contraction::{Contraction, Norm, WORD_BUDGET, contraction};
+pub use count::{Count, LargestLevel, count, largest_level};
+pub use difference::difference_norm;
+pub use joins::{Joins, OpenJoin, joins, windows_join};
+pub use matrix::{Matrix, MatrixError};
+pub use words::Word;
+
+#[cfg(test)]
+pub(crate) mod tests;

@@ -1,0 +1,6 @@
+//! Tests of matrices, automata, counts, contraction and joins.
+
+mod automata;
+mod contractions;
+pub(crate) mod fixtures;
+mod joining;

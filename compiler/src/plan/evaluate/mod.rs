@@ -1,0 +1,13 @@
+//! Evaluation of figures in doubles: basis tables of curves, points of curves, grids of sheets.
+//!
+//! A sheet is evaluated separably (GEOMETRY 4): one basis table a direction, never a Kronecker product, never a
+//! recursion over nets. Sums run in a fixed order, so results are the same bytes on every machine.
+
+mod basis;
+mod combine;
+mod curve;
+mod sheet;
+
+pub use basis::{Basis, basis};
+pub use curve::curve_points;
+pub use sheet::{SheetEvaluator, TILE_ROWS};

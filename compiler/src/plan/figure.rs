@@ -1,0 +1,252 @@
+//! [`Plan`] and its figures, checked on construction.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use crate::ifs::{Automaton, Joins, StateId, joins, windows_join};
+
+/// How many coordinates a design gave a figure's points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// Two; the third is 0.
+    Plane,
+    /// Three.
+    Space,
+}
+
+/// A surface that is the product of two curve states, u along the rows' index and v along the columns'.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SheetPlan {
+    /// The state that runs over the net's first index.
+    pub u: StateId,
+    /// The state that runs over the net's second index.
+    pub v: StateId,
+    /// Points of the net along its first index.
+    pub net_rows: usize,
+    /// Points of the net along its second index.
+    pub net_columns: usize,
+    /// The net, row after row, in millimetres.
+    pub net: Vec<[f64; 3]>,
+    /// Levels of u and of v.
+    pub levels: (u32, u32),
+    /// Whether every window of the net is a patch (a sheet), or the net is one window (a tensor product).
+    pub windows: bool,
+}
+
+/// What a figure is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A chain of segments.
+    Curve {
+        /// The ifs it runs.
+        state: StateId,
+        /// Its control points, in millimetres.
+        points: Vec<[f64; 3]>,
+        /// The iteration level.
+        level: u32,
+        /// Of the plane or of space.
+        dimension: Dimension,
+    },
+    /// A grid of quads.
+    Sheet(SheetPlan),
+}
+
+/// One figure: a shape with the name it has in the design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FigurePlan {
+    /// Its name.
+    pub name: String,
+    /// Its place, when the figure is one of a list.
+    pub index: Option<u32>,
+    /// What it is.
+    pub shape: Shape,
+}
+
+/// A design ready to be evaluated: sizes agree, coordinates are finite, and the pieces of every figure are proved to
+/// meet.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    automaton: Automaton,
+    figures: Vec<FigurePlan>,
+    joins: BTreeMap<StateId, Joins>,
+}
+
+/// Why a design is no plan. `figure` is the figure's text: `vault[2]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PlanError {
+    /// A figure of a state that the automaton has not.
+    UnknownState {
+        /// The figure.
+        figure: String,
+        /// The state.
+        state: StateId,
+    },
+    /// A curve on a wrong number of points.
+    PointCount {
+        /// The figure.
+        figure: String,
+        /// Points its ifs stands on.
+        expected: usize,
+        /// Points given.
+        found: usize,
+    },
+    /// A net of a wrong size.
+    NetSize {
+        /// The figure.
+        figure: String,
+        /// Rows and columns of one window; a sheet's net must have at least these, a tensor product's exactly.
+        window: (usize, usize),
+        /// Rows and columns stated.
+        net: (usize, usize),
+        /// Points given.
+        points: usize,
+    },
+    /// A coordinate that is infinite or not a number.
+    NotFinite {
+        /// The figure.
+        figure: String,
+        /// The point, by its place in the list or net.
+        point: usize,
+    },
+    /// Pieces that do not meet, or are not proved to.
+    NotJoined {
+        /// The figure.
+        figure: String,
+        /// The state whose pieces or windows they are.
+        state: StateId,
+        /// Whether it is neighbouring windows of a sheet that part, rather than pieces of one curve.
+        windows: bool,
+        /// What is known of them.
+        joins: Joins,
+    },
+}
+
+impl fmt::Display for PlanError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            PlanError::UnknownState { figure, state } => {
+                write!(f, "`{figure}` is of state {}, which is not there", state.0)
+            }
+            PlanError::PointCount { figure, expected, found } => {
+                write!(f, "`{figure}` has {found} control points where {expected} are needed")
+            }
+            PlanError::NetSize { figure, window, net, points } => write!(
+                f,
+                "`{figure}` has a net of {} by {} with {points} points for windows of {} by {}",
+                net.0, net.1, window.0, window.1
+            ),
+            PlanError::NotFinite { figure, point } => {
+                write!(f, "control point {point} of `{figure}` has a coordinate beyond all bounds")
+            }
+            PlanError::NotJoined { figure, windows, .. } => {
+                let pieces = if *windows { "neighbouring windows" } else { "pieces" };
+                write!(f, "the {pieces} of `{figure}` are not proved to meet")
+            }
+        }
+    }
+}
+
+impl std::error::Error for PlanError {}
+
+/// `vault[2]`, or `shell`.
+impl fmt::Display for FigurePlan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.index {
+            Some(index) => write!(f, "{}[{index}]", self.name),
+            None => f.write_str(&self.name),
+        }
+    }
+}
+
+impl Plan {
+    /// A plan of these figures.
+    ///
+    /// # Errors
+    /// The first [`PlanError`] in the order of figures.
+    pub fn try_new(automaton: Automaton, figures: Vec<FigurePlan>) -> Result<Plan, PlanError> {
+        let mut plan = Plan { automaton, figures: Vec::new(), joins: BTreeMap::new() };
+        for figure in figures {
+            plan.check(&figure)?;
+            plan.figures.push(figure);
+        }
+        Ok(plan)
+    }
+
+    /// The states and transforms.
+    pub fn automaton(&self) -> &Automaton {
+        &self.automaton
+    }
+
+    /// The figures, in the order of the design.
+    pub fn figures(&self) -> &[FigurePlan] {
+        &self.figures
+    }
+
+    /// The states that figures stand on, with what is proved of their joins.
+    pub fn joins(&self) -> &BTreeMap<StateId, Joins> {
+        &self.joins
+    }
+
+    fn check(&mut self, figure: &FigurePlan) -> Result<(), PlanError> {
+        match &figure.shape {
+            Shape::Curve { state, points, .. } => {
+                let expected = self.control_points(figure, *state)?;
+                if points.len() != expected {
+                    let found = points.len();
+                    return Err(PlanError::PointCount { figure: figure.to_string(), expected, found });
+                }
+                check_finite(figure, points)?;
+                self.check_joined(figure, *state)
+            }
+            Shape::Sheet(sheet) => self.check_sheet(figure, sheet),
+        }
+    }
+
+    fn check_sheet(&mut self, figure: &FigurePlan, sheet: &SheetPlan) -> Result<(), PlanError> {
+        let window = (self.control_points(figure, sheet.u)?, self.control_points(figure, sheet.v)?);
+        let net = (sheet.net_rows, sheet.net_columns);
+        let fits = if sheet.windows { net.0 >= window.0 && net.1 >= window.1 } else { net == window };
+        let points = sheet.net.len();
+        if !fits || net.0.checked_mul(net.1) != Some(points) {
+            return Err(PlanError::NetSize { figure: figure.to_string(), window, net, points });
+        }
+        check_finite(figure, &sheet.net)?;
+        for (state, points, window) in [(sheet.u, net.0, window.0), (sheet.v, net.1, window.1)] {
+            self.check_joined(figure, state)?;
+            if points > window {
+                let joins = windows_join(&self.automaton, state);
+                if joins != Joins::Joined {
+                    return Err(PlanError::NotJoined {
+                        figure: figure.to_string(),
+                        state,
+                        windows: true,
+                        joins,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn control_points(&self, figure: &FigurePlan, state: StateId) -> Result<usize, PlanError> {
+        match self.automaton.get(state) {
+            Some(found) => Ok(found.control_points),
+            None => Err(PlanError::UnknownState { figure: figure.to_string(), state }),
+        }
+    }
+
+    fn check_joined(&mut self, figure: &FigurePlan, state: StateId) -> Result<(), PlanError> {
+        let known = self.joins.entry(state).or_insert_with(|| joins(&self.automaton, state));
+        if *known == Joins::Joined {
+            return Ok(());
+        }
+        Err(PlanError::NotJoined { figure: figure.to_string(), state, windows: false, joins: known.clone() })
+    }
+}
+
+fn check_finite(figure: &FigurePlan, points: &[[f64; 3]]) -> Result<(), PlanError> {
+    match points.iter().position(|point| point.iter().any(|coordinate| !coordinate.is_finite())) {
+        Some(point) => Err(PlanError::NotFinite { figure: figure.to_string(), point }),
+        None => Ok(()),
+    }
+}

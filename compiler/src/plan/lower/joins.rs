@@ -1,0 +1,199 @@
+//! What is proved of the states that figures stand on, said at the lines they come from: contraction and joins.
+
+use super::{FigureSource, Lowering};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::exact::Rational;
+use crate::hir::tree::ItemKind;
+use crate::ifs::{Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join};
+use crate::plan::figure::{FigurePlan, Shape};
+use crate::source::Span;
+use std::collections::BTreeMap;
+
+type Planned = (FigurePlan, FigureSource);
+
+impl Lowering<'_, '_> {
+    /// Warns of every ifs a figure stands on that is not proved to contract.
+    pub(super) fn check_contraction(&mut self, automaton: &Automaton, figures: &[Planned]) {
+        let mut warned: Vec<Span> = Vec::new();
+        for state in roots(figures) {
+            let span = self.state_span(state);
+            let verdict = contraction(automaton, state);
+            if matches!(verdict, Contraction::Proved { .. }) || warned.contains(&span) {
+                continue;
+            }
+            warned.push(span);
+            self.warn_of_contraction(automaton, state, &verdict, span);
+        }
+    }
+
+    fn warn_of_contraction(&mut self, automaton: &Automaton, state: StateId, verdict: &Contraction, span: Span) {
+        let found = &automaton.state(state).name;
+        let diagnostic = match verdict {
+            Contraction::Proved { .. } => return,
+            Contraction::Refuted { word } => {
+                let word = word.display(automaton);
+                let message = format!("`{found}` does not contract: repeating {word} never gets smaller");
+                Diagnostic::new(Code::W0508, span, message)
+                    .label("there is no limit figure for all control points")
+                    .hint("move the images of the control points closer together, or use more transforms")
+            }
+            Contraction::Open { length, bound } => {
+                let message = format!(
+                    "`{found}` could not be proved to contract: words of {length} transforms shrink by {bound:.4} at worst"
+                );
+                Diagnostic::new(Code::W0509, span, message).label("not proved, and not refuted")
+            }
+        };
+        let factors = automaton.state(state).transforms.iter().map(|transform| {
+            format!("{} {:.4}", transform.name, difference_norm(transform).to_f64())
+        });
+        let note = format!("factors of one step: {}", factors.collect::<Vec<_>>().join(", "));
+        self.diagnostics.push(diagnostic.note(note));
+    }
+
+    /// Whether the pieces of every figure, and of every ifs used where they must, are proved to meet.
+    pub(super) fn check_joins(&mut self, automaton: &Automaton, figures: &[Planned]) -> bool {
+        let mut known: BTreeMap<StateId, Joins> = BTreeMap::new();
+        let mut good = true;
+        let uses = self.evaluator.must_join().to_vec();
+        let mut said: Vec<(Span, StateId)> = Vec::new();
+        for used in uses {
+            let Some(place) = self.states.instances.iter().position(|instance| *instance == used.ifs) else {
+                continue;
+            };
+            let state = StateId(place as u32);
+            let verdict = known.entry(state).or_insert_with(|| joins(automaton, state)).clone();
+            let at = self.state_span(state);
+            if verdict != Joins::Joined && !said.contains(&(at, state)) {
+                said.push((at, state));
+                good = false;
+                let diagnostic = self.open(automaton, state, &verdict, used.span, &used.why);
+                self.diagnostics.push(diagnostic);
+            }
+        }
+        for (figure, source) in figures {
+            good &= self.figure_joins(automaton, figure, source, &mut known, &said);
+        }
+        good
+    }
+
+    fn figure_joins(
+        &mut self,
+        automaton: &Automaton,
+        figure: &FigurePlan,
+        source: &FigureSource,
+        known: &mut BTreeMap<StateId, Joins>,
+        said: &[(Span, StateId)],
+    ) -> bool {
+        let at = self.hir.item(source.item).name_span;
+        match &figure.shape {
+            Shape::Curve { state, .. } => {
+                let verdict = known.entry(*state).or_insert_with(|| joins(automaton, *state)).clone();
+                if verdict != Joins::Joined && !said.iter().any(|(_, other)| other == state) {
+                    let why = "figures whose pieces do not join are not available yet";
+                    let diagnostic = self.open(automaton, *state, &verdict, at, why);
+                    self.diagnostics.push(diagnostic);
+                }
+                verdict == Joins::Joined
+            }
+            Shape::Sheet(sheet) => {
+                let mut good = true;
+                for (state, points) in [(sheet.u, sheet.net_rows), (sheet.v, sheet.net_columns)] {
+                    if points <= automaton.state(state).control_points {
+                        continue;
+                    }
+                    let verdict = windows_join(automaton, state);
+                    if verdict != Joins::Joined {
+                        let diagnostic = self.open_windows(automaton, state, &verdict, at);
+                        if !self.diagnostics.contains(&diagnostic) {
+                            self.diagnostics.push(diagnostic);
+                        }
+                        good = false;
+                    }
+                }
+                good
+            }
+        }
+    }
+
+    fn open(&self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span, why: &str) -> Diagnostic {
+        let name = &automaton.state(state).name;
+        let Joins::Open(open) = verdict else {
+            let message = format!("the pieces of `{name}` could not be proved to meet");
+            return Diagnostic::new(Code::E0505, at, message).label(why).note("the proof takes too many steps");
+        };
+        let transforms = &automaton.state(open.state).transforms;
+        let (left, right) = (&transforms[open.left].name, &transforms[open.right].name);
+        let message = format!("the pieces of `{name}` do not meet: `{left}` does not end where `{right}` starts");
+        let mut diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
+        if let (Some(first), Some(second)) =
+            (self.transform_span(open.state, open.left), self.transform_span(open.state, open.right))
+        {
+            let names = self.point_names(open.state);
+            diagnostic = diagnostic
+                .also(first, format!("ends at {}", weights(&open.left_weights, &names)))
+                .also(second, format!("starts at {}", weights(&open.right_weights, &names)));
+        }
+        diagnostic = diagnostic.note(self.difference(open));
+        diagnostic.hint(format!("give the last image of `{left}` and the first image of `{right}` the same point"))
+    }
+
+    fn open_windows(&self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span) -> Diagnostic {
+        let name = &automaton.state(state).name;
+        let message = format!("neighbouring windows of the net do not meet with `{name}`");
+        let mut diagnostic = Diagnostic::new(Code::E0506, at, message).label("this sheet falls into pieces");
+        if let Joins::Open(open) = verdict {
+            let mut names = self.point_names(state);
+            names.push("the next point".to_owned());
+            let left = weights(&open.left_weights, &names);
+            let right = weights(&open.right_weights, &names);
+            diagnostic = diagnostic.note(format!("a window ends at {left}, the next one starts at {right}"));
+            if let Some(germ) = self.germ_span(state) {
+                diagnostic = diagnostic.also(germ, "what is drawn of each window");
+            }
+        }
+        diagnostic.hint("use a B-spline such as `bspline3`, or `tensor` on a net of just one window")
+    }
+
+    fn difference(&self, open: &OpenJoin) -> String {
+        let apart = open.left_weights.iter().zip(&open.right_weights).map(|(left, right)| left - right);
+        let apart: Vec<Rational> = apart.collect();
+        let names = self.point_names(open.state);
+        format!("at level {} they are {} apart", open.level, weights(&apart, &names))
+    }
+
+    fn point_names(&self, state: StateId) -> Vec<String> {
+        let instance = self.states.instances.get(state.index());
+        match instance.map(|instance| &self.hir.item(instance.ifs).kind) {
+            Some(ItemKind::Ifs(ifs)) => ifs.control_points.clone(),
+            _ => Vec::new(),
+        }
+    }
+
+    fn state_span(&self, state: StateId) -> Span {
+        let instance = self.states.instances.get(state.index());
+        instance.map_or(Span::default(), |instance| self.hir.item(instance.ifs).name_span)
+    }
+}
+
+fn roots(figures: &[Planned]) -> Vec<StateId> {
+    let mut roots = Vec::new();
+    for (figure, _) in figures {
+        match &figure.shape {
+            Shape::Curve { state, .. } => roots.push(*state),
+            Shape::Sheet(sheet) => roots.extend([sheet.u, sheet.v]),
+        }
+    }
+    roots.sort_unstable();
+    roots.dedup();
+    roots
+}
+
+/// `1/2 p0 + 1/2 p1`
+fn weights(weights: &[Rational], names: &[String]) -> String {
+    let parts = weights.iter().zip(names).filter(|(weight, _)| !weight.is_zero());
+    let words: Vec<String> = parts
+        .map(|(weight, name)| if weight.is_one() { name.clone() } else { format!("{weight} {name}") })
+        .collect();
+    if words.is_empty() { "nothing".to_owned() } else { words.join(" + ") }
+}

@@ -1,0 +1,192 @@
+//! From the values of a design to its plan: states, matrices, figures, with a diagnostic at the line of whatever cannot
+//! be planned.
+
+mod joins;
+mod states;
+
+use super::budget::{self, BudgetError, FigureCount};
+use super::figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::evaluate::{Evaluator, Overrides};
+use crate::hir::tree::{Hir, ItemId, ItemKind};
+use crate::hir::value::{self, Value};
+use crate::source::Span;
+use states::States;
+
+/// The most elements a design may ask for.
+pub const MOST_ELEMENTS: u64 = 4_000_000;
+
+/// Where a figure of the plan comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FigureSource {
+    /// The figure item.
+    pub item: ItemId,
+    /// Its place, when the item is a list of figures.
+    pub index: Option<u32>,
+    /// Where its level is said.
+    pub level_span: Span,
+}
+
+/// A plan with the places its figures come from.
+#[derive(Debug)]
+pub struct Lowered {
+    /// The plan.
+    pub plan: Plan,
+    /// One for each figure of the plan.
+    pub sources: Vec<FigureSource>,
+    /// One for each figure of the plan.
+    pub counts: Vec<FigureCount>,
+}
+
+/// The plan of all figures a design declares; `None` after a report of an error.
+pub fn lower<'h>(
+    hir: &'h Hir,
+    evaluator: &mut Evaluator<'h>,
+    overrides: &Overrides,
+) -> (Option<Lowered>, Vec<Diagnostic>) {
+    let mut lowering = Lowering { hir, evaluator, states: States::default(), diagnostics: Vec::new(), failed: false };
+    let mut figures = Vec::new();
+    for (id, item) in hir.own_items() {
+        match &item.kind {
+            ItemKind::Figure(_) => figures.extend(lowering.figure(id, overrides)),
+            ItemKind::Param(_) | ItemKind::Let(_) => lowering.failed |= lowering.evaluator.global(id).is_err(),
+            ItemKind::Ifs(_) => lowering.evaluator.check_symbolically(id),
+            _ => {}
+        }
+    }
+    let lowered = lowering.plan(figures);
+    (lowered, lowering.diagnostics)
+}
+
+struct Lowering<'a, 'h> {
+    hir: &'h Hir,
+    evaluator: &'a mut Evaluator<'h>,
+    states: States,
+    diagnostics: Vec<Diagnostic>,
+    failed: bool,
+}
+
+impl Lowering<'_, '_> {
+    fn figure(&mut self, id: ItemId, overrides: &Overrides) -> Vec<(FigurePlan, FigureSource)> {
+        let name = self.hir.item(id).name.clone();
+        let shift = match &overrides.level_shift {
+            Some((figure, shift)) if *figure == name => *shift,
+            _ => 0,
+        };
+        let Ok(value) = self.evaluator.global(id) else {
+            self.failed = true;
+            return Vec::new();
+        };
+        let figures: Vec<(Option<u32>, &value::Figure)> = match &value {
+            Value::Figure(figure) => vec![(None, figure.as_ref())],
+            Value::List(list) => list
+                .iter()
+                .enumerate()
+                .filter_map(|(index, value)| match value {
+                    Value::Figure(figure) => Some((Some(index as u32), figure.as_ref())),
+                    _ => None,
+                })
+                .collect(),
+            _ => Vec::new(),
+        };
+        let mut planned = Vec::new();
+        for (index, figure) in figures {
+            match self.one(id, &name, index, figure, shift) {
+                Some(done) => planned.push(done),
+                None => self.failed = true,
+            }
+        }
+        planned
+    }
+
+    fn one(
+        &mut self,
+        item: ItemId,
+        name: &str,
+        index: Option<u32>,
+        figure: &value::Figure,
+        shift: i32,
+    ) -> Option<(FigurePlan, FigureSource)> {
+        let Some(level) = figure.level else {
+            let message = format!("the figure `{name}` has no level");
+            let diagnostic = Diagnostic::new(Code::E0801, figure.span, message).label("how deep does it go?");
+            self.diagnostics.push(diagnostic.hint("add a level: `… at level 3`"));
+            return None;
+        };
+        let shifted = |level: u32| level.saturating_add_signed(shift);
+        let shape = match &figure.shape {
+            value::Shape::Curve { ifs, points, dimension } => Shape::Curve {
+                state: self.state(ifs)?,
+                points: points.clone(),
+                level: shifted(level.u),
+                dimension: if *dimension == 2 { Dimension::Plane } else { Dimension::Space },
+            },
+            value::Shape::Sheet { u, v, net, rows, columns, windows } => Shape::Sheet(SheetPlan {
+                u: self.state(u)?,
+                v: self.state(v)?,
+                net_rows: *rows,
+                net_columns: *columns,
+                net: net.clone(),
+                levels: (shifted(level.u), shifted(level.v.unwrap_or(level.u))),
+                windows: *windows,
+            }),
+        };
+        let plan = FigurePlan { name: name.to_owned(), index, shape };
+        Some((plan, FigureSource { item, index, level_span: level.span }))
+    }
+
+    fn plan(&mut self, figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
+        let automaton = self.automaton()?;
+        self.check_contraction(&automaton, &figures);
+        let joined = self.check_joins(&automaton, &figures);
+        if self.failed || !joined {
+            return None;
+        }
+        let (plans, sources): (Vec<FigurePlan>, Vec<FigureSource>) = figures.into_iter().unzip();
+        let plan = match Plan::try_new(automaton, plans) {
+            Ok(plan) => plan,
+            Err(error) => {
+                self.refused(&error, &sources);
+                return None;
+            }
+        };
+        match budget::check(&plan, MOST_ELEMENTS) {
+            Ok(counts) => Some(Lowered { plan, sources, counts }),
+            Err(error) => {
+                self.over_budget(&plan, &error, &sources);
+                None
+            }
+        }
+    }
+
+    /// What joins and placement leave over: coordinates beyond all bounds.
+    fn refused(&mut self, error: &PlanError, sources: &[FigureSource]) {
+        let span = sources.first().map_or(Span::default(), |source| self.hir.item(source.item).name_span);
+        let diagnostic = Diagnostic::new(Code::E0604, span, error.to_string()).label("cannot be planned");
+        self.diagnostics.push(diagnostic);
+    }
+
+    fn over_budget(&mut self, plan: &Plan, error: &BudgetError, sources: &[FigureSource]) {
+        let (BudgetError::TooDeep { figure, .. } | BudgetError::TooMany { figure, .. }) = error;
+        let place = plan.figures().iter().position(|planned| planned.to_string() == *figure);
+        let span = place.and_then(|place| sources.get(place)).map_or(Span::default(), |source| source.level_span);
+        let (message, hint) = match error {
+            BudgetError::TooDeep { level, .. } => (
+                format!("level {level} is deeper than {}", budget::MAX_LEVEL),
+                format!("the deepest level is {}", budget::MAX_LEVEL),
+            ),
+            BudgetError::TooMany { elements, limit, fits, .. } => {
+                let count = match elements {
+                    Some(elements) => format!("{elements} elements"),
+                    None => "more elements than can be counted".to_owned(),
+                };
+                let fits = match fits {
+                    Some(level) => format!("the largest level that fits is {level}"),
+                    None => "no level fits: use fewer figures or smaller nets".to_owned(),
+                };
+                (format!("this asks for {count}; the limit is {limit}"), fits)
+            }
+        };
+        self.diagnostics.push(Diagnostic::new(Code::E0701, span, message).label("too deep").hint(hint));
+    }
+}

@@ -1,0 +1,142 @@
+//! States: every ifs with every set of arguments that figures reach, as exact matrices.
+
+use super::Lowering;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::evaluate::{InstanceBody, words};
+use crate::hir::tree::{Hir, ItemKind};
+use crate::hir::types::Type;
+use crate::hir::value::{Instance, Value};
+use crate::ifs::{Automaton, AutomatonError, Germ, MAX_STATES, Matrix, State, StateId, Transform};
+use crate::source::Span;
+
+/// The states met so far.
+#[derive(Default)]
+pub(super) struct States {
+    pub(super) instances: Vec<Instance>,
+    bodies: Vec<Option<InstanceBody>>,
+    overflow: bool,
+}
+
+impl Lowering<'_, '_> {
+    /// The state of an ifs with its arguments, with every state it leads to; `None` after a report.
+    pub(super) fn state(&mut self, instance: &Instance) -> Option<StateId> {
+        let id = self.enter(instance)?;
+        let mut next = id.index();
+        while next < self.states.instances.len() {
+            if self.states.bodies.len() <= next {
+                let instance = self.states.instances[next].clone();
+                let body = self.evaluator.instantiate(&instance).ok();
+                let targets: Vec<Instance> = body
+                    .iter()
+                    .flat_map(|body| body.transforms.iter().map(|transform| transform.target.clone()))
+                    .collect();
+                self.states.bodies.push(body);
+                for target in targets {
+                    self.enter(&target)?;
+                }
+            }
+            next += 1;
+        }
+        let complete = self.states.bodies.iter().all(Option::is_some);
+        complete.then_some(id)
+    }
+
+    fn enter(&mut self, instance: &Instance) -> Option<StateId> {
+        if let Some(known) = self.states.instances.iter().position(|known| known == instance) {
+            return Some(StateId(known as u32));
+        }
+        if self.states.instances.len() >= MAX_STATES {
+            if !self.states.overflow {
+                self.states.overflow = true;
+                let item = self.hir.item(instance.ifs);
+                let message = format!(
+                    "`{}` leads to more than {MAX_STATES} states: each set of arguments is a state",
+                    item.name
+                );
+                let diagnostic = Diagnostic::new(Code::E0702, item.name_span, message).label("too many states");
+                let hint = "let transforms continue with the same arguments, or with one of a few sets of them";
+                self.diagnostics.push(diagnostic.hint(hint));
+            }
+            return None;
+        }
+        self.states.instances.push(instance.clone());
+        Some(StateId(self.states.instances.len() as u32 - 1))
+    }
+
+    /// The automaton of all states met; `None` after a report.
+    pub(super) fn automaton(&mut self) -> Option<Automaton> {
+        let mut states = Vec::new();
+        for (instance, body) in self.states.instances.iter().zip(&self.states.bodies) {
+            let Some(body) = body else { return None };
+            let transforms = body.transforms.iter().map(|transform| {
+                let target = self.states.instances.iter().position(|known| *known == transform.target)?;
+                let matrix = Matrix::from_rows(transform.rows.clone()).ok()?;
+                Some(Transform { name: transform.name.clone(), target: StateId(target as u32), matrix })
+            });
+            let [start, end] = body.germ.clone();
+            states.push(State {
+                name: instance_name(self.hir, instance),
+                control_points: body.control_points,
+                transforms: transforms.collect::<Option<Vec<Transform>>>()?,
+                germ: Germ::Segment { start, end },
+            });
+        }
+        if self.states.bodies.len() < self.states.instances.len() {
+            return None;
+        }
+        match Automaton::try_new(states) {
+            Ok(automaton) => Some(automaton),
+            Err(error) => {
+                self.not_an_automaton(&error);
+                None
+            }
+        }
+    }
+
+    fn not_an_automaton(&mut self, error: &AutomatonError) {
+        let (state, code) = match error {
+            AutomatonError::WrongSize { state, .. } => (state, Code::E0503),
+            AutomatonError::NoControlPoints { state } | AutomatonError::NoTransforms { state } => (state, Code::E0507),
+            AutomatonError::TooManyStates { .. } => return,
+            AutomatonError::UnknownTarget { state, .. }
+            | AutomatonError::WeightSum { state, .. }
+            | AutomatonError::GermWeights { state, .. } => (state, Code::E0501),
+        };
+        let instance = self.states.instances.iter().find(|instance| instance_name(self.hir, instance) == *state);
+        let span = instance.map_or(Span::default(), |instance| self.hir.item(instance.ifs).name_span);
+        self.diagnostics.push(Diagnostic::new(code, span, error.to_string()).label("this ifs"));
+    }
+
+    /// Where a transform of a state stands: its name.
+    pub(super) fn transform_span(&self, state: StateId, transform: usize) -> Option<Span> {
+        let body = self.states.bodies.get(state.index())?.as_ref()?;
+        body.transforms.get(transform).map(|transform| transform.name_span)
+    }
+
+    /// Where the germ of a state stands.
+    pub(super) fn germ_span(&self, state: StateId) -> Option<Span> {
+        Some(self.states.bodies.get(state.index())?.as_ref()?.germ_span)
+    }
+}
+
+/// An ifs with its arguments as an architect would write it: `bezier3(t: 23/50)`.
+fn instance_name(hir: &Hir, instance: &Instance) -> String {
+    let item = hir.item(instance.ifs);
+    let ItemKind::Ifs(ifs) = &item.kind else { return item.name.clone() };
+    if ifs.parameters.is_empty() {
+        return item.name.clone();
+    }
+    let arguments = ifs.parameters.iter().zip(&instance.arguments).map(|(parameter, value)| {
+        let value = match value {
+            Value::Scalar(scalar) => match scalar.to_rational() {
+                Some(exact) if parameter.ty == Type::NUMBER || parameter.ty == Type::Int => exact.to_string(),
+                _ => words(scalar, &parameter.ty),
+            },
+            Value::Bool(truth) => truth.to_string(),
+            Value::Text(text) => format!("{text:?}"),
+            _ => "…".to_owned(),
+        };
+        format!("{}: {value}", parameter.name)
+    });
+    format!("{}({})", item.name, arguments.collect::<Vec<_>>().join(", "))
+}

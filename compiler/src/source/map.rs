@@ -1,0 +1,71 @@
+//! The texts of one analysis.
+
+use super::{FileId, LineIndex, Span};
+
+/// One text and the path it goes by in messages (relative, with `/`; `std.curves` for the library's own).
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// Its identity.
+    pub id: FileId,
+    /// The name in messages.
+    pub path: String,
+    /// The text.
+    pub text: String,
+    /// Its lines.
+    pub lines: LineIndex,
+}
+
+impl Source {
+    /// A source with its line index.
+    pub fn new(id: FileId, path: impl Into<String>, text: impl Into<String>) -> Self {
+        let text = text.into();
+        let lines = LineIndex::new(&text);
+        Source { id, path: path.into(), text, lines }
+    }
+
+    /// The text under a span, clamped to character bounds.
+    pub fn slice(&self, span: Span) -> &str {
+        let start = floor_boundary(&self.text, span.start as usize);
+        let end = floor_boundary(&self.text, span.end as usize);
+        &self.text[start..end.max(start)]
+    }
+}
+
+/// The nearest character bound at or below `at`.
+pub(crate) fn floor_boundary(text: &str, at: usize) -> usize {
+    let mut at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// All sources of an analysis, in the order they were first met.
+#[derive(Clone, Debug, Default)]
+pub struct SourceMap {
+    sources: Vec<Source>,
+}
+
+impl SourceMap {
+    /// Adds a text and gives it an identity.
+    pub fn add(&mut self, path: impl Into<String>, text: impl Into<String>) -> FileId {
+        let id = FileId(u32::try_from(self.sources.len()).unwrap_or(u32::MAX));
+        self.sources.push(Source::new(id, path, text));
+        id
+    }
+
+    /// The source of an identity.
+    pub fn get(&self, id: FileId) -> Option<&Source> {
+        self.sources.get(id.0 as usize)
+    }
+
+    /// The source which goes by `path`.
+    pub fn by_path(&self, path: &str) -> Option<&Source> {
+        self.sources.iter().find(|source| source.path == path)
+    }
+
+    /// All sources in order.
+    pub fn iter(&self) -> impl Iterator<Item = &Source> {
+        self.sources.iter()
+    }
+}

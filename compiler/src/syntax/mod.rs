@@ -1,0 +1,68 @@
+//! Text to tree: tokens with their trivia, the parser by grammar area, recovery, and the tree.
+//!
+//! Names and types are not looked up here, and parsing never fails.
+
+pub mod ast;
+mod docs;
+mod lexeme;
+mod lexer;
+pub mod limits;
+mod parser;
+mod repair;
+mod token;
+
+#[cfg(test)]
+mod tests;
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::source::{Source, Span};
+use limits::{MAX_BYTES, Said};
+pub use parser::MEASURES;
+pub use token::{Token, TokenKind};
+
+/// What a text is: always a tree, all its tokens, and what is wrong with it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parse {
+    /// The tree. What could not be understood is an error node, of which a diagnostic speaks.
+    pub ast: ast::File,
+    /// Every byte of the text, in order, trivia and errors included.
+    pub tokens: Vec<Token>,
+    /// What is wrong, by place; at most [`limits::MAX_DIAGNOSTICS`].
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Parses a text. Never fails; a good item is in the tree whatever stands around it.
+pub fn parse(source: &Source) -> Parse {
+    counted(source).0
+}
+
+/// Parses a text, and counts the lexemes the grammar has read for it.
+fn counted(source: &Source) -> (Parse, usize) {
+    if source.text.len() > MAX_BYTES {
+        return (too_large(source), 0);
+    }
+    let mut said = Said::default();
+    let lexed = lexer::lex(source, &mut said);
+    let mut lexemes = lexeme::lexemes(source, &lexed);
+    lexeme::assign_roles(&mut lexemes);
+    let mut lexemes = repair::balance(lexemes, &mut said);
+    lexeme::assign_roles(&mut lexemes);
+    let items = parser::parse_items(&lexemes, repair::items(&lexemes), &mut said);
+    let mut ast = ast::File { docs: Vec::new(), items };
+    docs::attach(source, &lexed.tokens, &mut ast, &mut said);
+    let steps = said.steps;
+    let mut diagnostics = Diagnostics::default();
+    diagnostics.extend(said.into_vec());
+    (Parse { ast, tokens: lexed.tokens, diagnostics: diagnostics.finish() }, steps)
+}
+
+/// A file that is not read: one token, no items, one diagnostic.
+fn too_large(source: &Source) -> Parse {
+    let length = u32::try_from(source.text.len()).unwrap_or(u32::MAX);
+    let whole = Span::new(source.id, 0, length);
+    let message = format!("the file has {} bytes, more than the limit of {MAX_BYTES}", source.text.len());
+    let diagnostic = Diagnostic::new(Code::E0108, Span::new(source.id, 0, 0), message)
+        .hint("a design is a text of some pages: split it into several files with `use`");
+    let tokens = vec![Token { kind: TokenKind::Error, span: whole }];
+    Parse { ast: ast::File::default(), tokens, diagnostics: vec![diagnostic] }
+}

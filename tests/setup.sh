@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Installs by package name what the tests need beside Rust: the foreign referees of what ifs writes.
+#   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv
+#   npm     gltf-validator                             into tests/referees/node_modules
+#   PyPI    geomdl numpy scipy shapely trimesh         into target/referees
+# Quick when everything is there. As root on Debian it installs packages; otherwise it says which are missing and fails.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+mkdir -p target
+
+# One at a time: several test runs may share the tree.
+if command -v flock >/dev/null; then
+    exec 9>target/setup.lock
+    flock 9
+fi
+
+install_debian_packages() {
+    local missing=()
+    command -v rs274 >/dev/null || missing+=(linuxcnc-uspace)
+    command -v node >/dev/null || missing+=(nodejs)
+    command -v npm >/dev/null || missing+=(npm)
+    command -v cc >/dev/null || missing+=(gcc libc6-dev)
+    python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3 python3-venv)
+    [ ${#missing[@]} -gt 0 ] || return 0
+    if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null; then
+        echo "tests/setup.sh: missing: ${missing[*]}" >&2
+        echo "install them as root on Debian 12 or later: apt-get install --no-install-recommends ${missing[*]}" >&2
+        return 1
+    fi
+    echo "installing ${missing[*]}"
+    apt-get update -q
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+}
+
+# Whether what was installed from a list is still what the list says.
+is_current() { [ -e "$2" ] && [ -e "$3" ] && cmp -s "$1" "$2"; }
+
+install_npm_packages() {
+    local list=tests/referees/package-lock.json here=tests/referees/node_modules
+    is_current $list $here/.installed $here/gltf-validator/package.json && return 0
+    (cd tests/referees && npm ci --no-audit --no-fund --loglevel=error)
+    cp $list $here/.installed
+}
+
+install_python_packages() {
+    local list=tests/referees/requirements.txt here=target/referees
+    is_current $list $here/.installed $here/bin/python && return 0
+    rm -rf $here
+    python3 -m venv $here
+    $here/bin/python -m pip install --quiet --disable-pip-version-check -r $list
+    cp $list $here/.installed
+}
+
+install_debian_packages
+install_npm_packages
+install_python_packages
+echo "referees: $(node -p 'const p = require("./tests/referees/node_modules/gltf-validator/package.json"); p.name + " " + p.version'), $(
+    grep -v '^#' tests/referees/requirements.txt | paste -sd' '), rs274 $(command -v rs274)"
