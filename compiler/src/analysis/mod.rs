@@ -13,6 +13,7 @@ pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigur
 pub use load::Library;
 pub use placed::{FigureGeometry, figure_geometry};
 pub use requirements::{LimitValue, RequirementResult};
+pub(crate) use settings::{field, number, text};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
