@@ -1,6 +1,7 @@
 //! What one revision of a design means: its sources, tree, typed tree, plan, boards and diagnostics. Command line,
 //! language server and preview read this one analysis; there is no second.
 
+mod cascades;
 mod fabrication;
 mod load;
 mod measures;
@@ -62,14 +63,23 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
     let mut loaded = load::load(files, root);
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(std::mem::take(&mut loaded.diagnostics));
-    diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    // Of a text that could not be read to its end nothing more is said: it would speak of what is missing.
+    let readable = diagnostics.is_empty();
+    if readable {
+        diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    }
     let Checked { hir, diagnostics: found } = {
         let mut modules = vec![ModuleSource { name: "", file: loaded.root, ast: &loaded.parse.ast }];
         modules.extend(loaded.library.modules().map(|(name, file, ast)| ModuleSource { name, file, ast }));
         check(&modules)
     };
-    diagnostics.extend(found);
-    diagnostics.extend(unknown_parameters(&hir, overrides));
+    if readable {
+        let text = loaded.sources.get(loaded.root).map_or("", |source| source.text.as_str());
+        diagnostics.extend(cascades::without(found, text, &loaded.parse));
+    }
+    if !diagnostics.has_errors() {
+        diagnostics.extend(unknown_parameters(&hir, overrides));
+    }
     let mut analysis = Analysis {
         sources: loaded.sources,
         root: loaded.root,
