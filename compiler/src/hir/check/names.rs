@@ -11,7 +11,7 @@ use crate::syntax::ast;
 /// How many candidates are compared with unknown names, over a whole design.
 const MOST_COMPARISONS: usize = 200_000;
 
-impl<'a> Checker<'a> {
+impl Checker<'_> {
     /// What a name that is no local stands for. A name of the library that is not imported serves with a warning.
     pub(super) fn symbol(&mut self, module: usize, name: &str, span: Span) -> Option<Symbol> {
         if let Some(id) = self.modules[module].own.get(name) {
@@ -72,31 +72,33 @@ impl<'a> Checker<'a> {
     }
 
     pub(super) fn unknown(&mut self, frame: &Frame, name: &str, span: Span) -> Expr {
-        let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
-        let scope = &self.modules[frame.module];
-        known.extend(scope.own.keys().copied());
-        known.extend(scope.imports.keys().copied());
-        known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
         let mut diagnostic =
             Diagnostic::new(Code::E0301, span, format!("there is no `{name}`")).label("not known here");
-        if let Some(candidate) = self.nearest(name, &known) {
-            let candidate = candidate.to_owned();
+        if let Some(candidate) = self.nearest_value(frame, name) {
             diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), span, candidate);
         }
         self.report(diagnostic);
         error_expr(span)
     }
 
+    /// The known value whose name is nearest, as long as looking for it is not too much work: in a design with
+    /// thousands of unknown names the last ones go without.
+    fn nearest_value(&mut self, frame: &Frame, name: &str) -> Option<String> {
+        let scope = &self.modules[frame.module];
+        self.comparisons = self.comparisons.saturating_add(scope.own.len() + frame.locals.len());
+        if self.comparisons > MOST_COMPARISONS {
+            return None;
+        }
+        let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
+        known.extend(scope.own.keys().copied());
+        known.extend(scope.imports.keys().copied());
+        known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
+        closest(name, known).map(str::to_owned)
+    }
+
     /// Whether an item is already known to be wrong, or is still being worked out.
     pub(super) fn is_broken(&self, id: ItemId) -> bool {
         matches!(self.items[id.0 as usize].kind, ItemKind::Broken)
-    }
-
-    /// The candidate nearest to a name, as long as looking for it is not too much work: in a design with thousands of
-    /// unknown names the last ones go without.
-    pub(super) fn nearest<'n>(&mut self, name: &str, known: &[&'n str]) -> Option<&'n str> {
-        self.comparisons = self.comparisons.saturating_add(known.len());
-        if self.comparisons > MOST_COMPARISONS { None } else { closest(name, known.iter().copied()) }
     }
 
     fn item_value(&mut self, id: ItemId, span: Span) -> Expr {
