@@ -1,6 +1,7 @@
 //! What one revision of a design means: its sources, tree, typed tree, plan, boards and diagnostics. Command line,
 //! language server and preview read this one analysis; there is no second.
 
+mod cascades;
 mod fabrication;
 mod load;
 mod measures;
@@ -22,7 +23,6 @@ use crate::hir::{Checked, ModuleSource, check};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
 use crate::syntax::Parse;
-use crate::syntax::ast::ItemKind as ItemKindOf;
 use std::collections::BTreeSet;
 
 /// Everything that is known of a design.
@@ -67,16 +67,23 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
     let mut loaded = load::load(files, root);
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(std::mem::take(&mut loaded.diagnostics));
-    diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    // Of a text that could not be read to its end nothing more is said: it would speak of what is missing.
+    let readable = diagnostics.is_empty();
+    if readable {
+        diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    }
     let Checked { hir, diagnostics: found } = {
         let mut modules = vec![ModuleSource { name: "", file: loaded.root, ast: &loaded.parse.ast }];
         modules.extend(loaded.library.modules().map(|(name, file, ast)| ModuleSource { name, file, ast }));
         check(&modules)
     };
-    // An item that could not be read has lost its name: that others cannot find it is no mistake of theirs.
-    let lost = loaded.parse.ast.items.iter().any(|item| item.kind == ItemKindOf::Error);
-    diagnostics.extend(found.into_iter().filter(|diagnostic| !(lost && diagnostic.code == Code::E0301)));
-    diagnostics.extend(unknown_parameters(&hir, overrides));
+    if readable {
+        let text = loaded.sources.get(loaded.root).map_or("", |source| source.text.as_str());
+        diagnostics.extend(cascades::without(found, text, &loaded.parse));
+    }
+    if !diagnostics.has_errors() {
+        diagnostics.extend(unknown_parameters(&hir, overrides));
+    }
     let mut analysis = Analysis {
         sources: loaded.sources,
         root: loaded.root,

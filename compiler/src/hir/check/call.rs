@@ -18,7 +18,10 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         let ast::ExprKind::Name(name) = &callee.kind else {
-            self.expr(frame, callee, None);
+            let callee = self.expr(frame, callee, None);
+            if callee.ty == Type::Error {
+                return error_expr(span);
+            }
             return self.not_callable("this", callee.span, span);
         };
         if name == "self" {
@@ -31,11 +34,13 @@ impl Checker<'_> {
             Some(Symbol::Native(native)) => self.native(frame, native, arguments, span),
             Some(Symbol::Item(id)) => self.call_item(frame, id, callee.span, arguments, span),
             Some(Symbol::Later) => self.later(name, callee.span),
-            None => {
+            found @ (Some(Symbol::Missing) | None) => {
                 for argument in arguments {
                     self.expr(frame, &argument.value, None);
                 }
-                self.unknown(frame, name, callee.span);
+                if found.is_none() {
+                    self.unknown(frame, name, callee.span);
+                }
                 error_expr(span)
             }
         }
@@ -76,6 +81,9 @@ impl Checker<'_> {
             return self.not_callable(&format!("`{name}`"), at, span);
         }
         self.ensure_checked(id, at);
+        if matches!(kind, ast::ItemKind::Ifs(_)) && self.is_broken(id) {
+            return error_expr(span);
+        }
         let bound = self.bind_item(frame, id, &name, arguments, span);
         let Some(values) = bound else { return error_expr(span) };
         let result = self.signature(id).result.or_else(|| self.types.get(&id).cloned());
@@ -98,11 +106,12 @@ impl Checker<'_> {
     ) -> Option<Vec<Expr>> {
         let parameters = self.signature(id).parameters;
         let bound = self.bind(frame, name, &parameters, arguments, span);
-        let values = bound.into_iter().zip(parameters).enumerate().map(|(index, (value, parameter))| match value {
-            Some(value) => Some(value),
-            None if parameter.required => None,
-            None => Some(Expr { kind: ExprKind::Default(id, index), ty: parameter.ty, span }),
-        });
+        let values =
+            bound.into_iter().zip(parameters).enumerate().map(|(index, (value, parameter))| match value {
+                Some(value) => Some(value),
+                None if parameter.required => None,
+                None => Some(Expr { kind: ExprKind::Default(id, index), ty: parameter.ty, span }),
+            });
         values.collect()
     }
 
@@ -143,7 +152,13 @@ impl Checker<'_> {
         }
     }
 
-    fn settings(&mut self, frame: &mut Frame, kind: SchemaKind, fields: &[ast::Argument], span: Span) -> Expr {
+    fn settings(
+        &mut self,
+        frame: &mut Frame,
+        kind: SchemaKind,
+        fields: &[ast::Argument],
+        span: Span,
+    ) -> Expr {
         let mut values: Vec<SettingValue> = Vec::new();
         for field in fields {
             let Some(name) = &field.name else {
@@ -158,7 +173,13 @@ impl Checker<'_> {
         Expr { kind: ExprKind::Settings(kind, values), ty: Type::Settings(kind), span }
     }
 
-    pub(super) fn field(&mut self, frame: &mut Frame, base: &ast::Expr, name: &ast::Name, span: Span) -> Expr {
+    pub(super) fn field(
+        &mut self,
+        frame: &mut Frame,
+        base: &ast::Expr,
+        name: &ast::Name,
+        span: Span,
+    ) -> Expr {
         let base = self.expr(frame, base, None);
         if base.ty == Type::Error {
             return error_expr(span);
@@ -172,9 +193,12 @@ impl Checker<'_> {
             _ => (None, false),
         };
         let Some(id) = record else {
-            let ty = self.type_name(&base.ty);
-            let message = format!("a {ty} has no fields");
-            self.report(Diagnostic::new(Code::E0407, name.span, message).label(format!("no field of a {ty}")));
+            if base.ty.is_figure() && name.text == "boards" {
+                return self.later(&name.text, name.span);
+            }
+            let ty = self.type_in_words(&base.ty);
+            let message = format!("{ty} has no fields");
+            self.report(Diagnostic::new(Code::E0407, name.span, message).label(format!("no field of {ty}")));
             return error_expr(span);
         };
         self.ensure_checked(id, span);
@@ -182,7 +206,12 @@ impl Checker<'_> {
         let Some(index) = fields.iter().position(|field| field.name == name.text) else {
             let known: Vec<String> = fields.iter().map(|field| field.name.clone()).collect();
             let record = self.items[id.0 as usize].name.clone();
-            self.unknown_word(Code::E0407, name, &format!("field of `{record}`"), known.iter().map(String::as_str));
+            self.unknown_word(
+                Code::E0407,
+                name,
+                &format!("field of `{record}`"),
+                known.iter().map(String::as_str),
+            );
             return error_expr(span);
         };
         let ty = fields[index].ty.clone();

@@ -4,7 +4,7 @@ use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
 use crate::hir::tree::{Expr, ExprKind};
-use crate::hir::types::Type;
+use crate::hir::types::{PointSpace, Type};
 use crate::syntax::ast;
 
 enum Fit {
@@ -58,7 +58,11 @@ impl Checker<'_> {
     }
 
     fn mismatch(&mut self, value: &Expr, expected: &Type) {
-        let (from, to) = (self.type_name(&value.ty), self.type_name(expected));
+        let (mut from, mut to) = (self.type_name(&value.ty), self.type_name(expected));
+        if from == to {
+            from.push_str(whereabouts(&value.ty));
+            to.push_str(whereabouts(expected));
+        }
         let message = format!("{} {to} is needed, but this is {} {from}", article(&to), article(&from));
         let label = format!("{} {from}", article(&from));
         let mut diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(label);
@@ -72,7 +76,15 @@ impl Checker<'_> {
     fn mend(&self, value: &Expr, expected: &Type) -> Option<Box<dyn FnOnce(Diagnostic) -> Diagnostic>> {
         let span = value.span;
         let plain = value.ty.dimension() == Some(Dimension::NUMBER);
+        let control = |ty: &Type| ty.point_space() == Some(PointSpace::Control);
         match expected {
+            Type::Point(_)
+                if control(expected) && value.ty.point_space().is_some() && !control(&value.ty) =>
+            {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("inside of an ifs points are combinations of its control points, such as `lerp(p0, p1, 1/2)`")
+                }))
+            }
             Type::Quantity(dimension) if plain && *dimension != Dimension::NUMBER => {
                 let unit = dimension.display_unit().0;
                 if unit.is_empty() || !matches!(value.kind, ExprKind::Scalar(_)) {
@@ -83,12 +95,18 @@ impl Checker<'_> {
                 Some(Box::new(move |diagnostic| diagnostic.fix(text, after, unit)))
             }
             Type::Quantity(Dimension::NUMBER) if value.ty.dimension().is_some() => {
-                Some(Box::new(|diagnostic| diagnostic.hint("divide by a unit, such as `/ 1mm`, to get a plain number")))
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("divide by a unit, such as `/ 1mm`, to get a plain number")
+                }))
             }
-            Type::Int if plain => Some(Box::new(|diagnostic| diagnostic.hint("use a whole number, or `round(…)`"))),
-            Type::Material => Some(Box::new(|diagnostic| {
-                diagnostic.hint("a material is a record with a `thickness` or a `density`, such as `birch_plywood(12mm)`")
-            })),
+            Type::Int if plain => {
+                Some(Box::new(|diagnostic| diagnostic.hint("use a whole number, or `round(…)`")))
+            }
+            Type::Material => {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("a material is a record with a `thickness` or a `density`, such as `birch_plywood(12mm)`")
+                }))
+            }
             Type::Point(_) | Type::Vector(_) if value.ty.dimension().is_some() => {
                 Some(Box::new(|diagnostic| diagnostic.hint("a point is two or three lengths: `(1m, 0m)`")))
             }
@@ -110,8 +128,18 @@ fn narrowed(from: &Type, to: &Type) -> Type {
     }
 }
 
+/// Where points and vectors live, for messages about two that would otherwise read alike.
+fn whereabouts(ty: &Type) -> &'static str {
+    match ty.point_space() {
+        Some(PointSpace::Plane) => " of the plane",
+        Some(PointSpace::Space) => " in space",
+        Some(PointSpace::Control) => " made of control points",
+        _ => "",
+    }
+}
+
 /// `a` or `an`, by the first letter; nothing before words in quotes.
-fn article(word: &str) -> &'static str {
+pub(super) fn article(word: &str) -> &'static str {
     match word.chars().next() {
         Some('A' | 'E' | 'I' | 'O' | 'U' | 'a' | 'e' | 'i' | 'o' | 'u') => "an",
         _ => "a",

@@ -2,7 +2,7 @@
 
 use super::scope::Symbol;
 use super::{Checker, Frame};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
 use crate::hir::tree::{Expr, ExprKind, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
@@ -16,7 +16,12 @@ impl Checker<'_> {
             "panels" => SchemaKind::Panels,
             "planks" => SchemaKind::Planks,
             _ => {
-                self.unknown_word(Code::E0411, &block.kind, "kind of element", ["panels", "planks"].into_iter());
+                self.unknown_word(
+                    Code::E0411,
+                    &block.kind,
+                    "kind of element",
+                    ["panels", "planks"].into_iter(),
+                );
                 return;
             }
         };
@@ -60,13 +65,18 @@ impl Checker<'_> {
 
     fn fabricated_figure(&mut self, block: &ast::Fabricate) -> Option<ItemId> {
         let name = &block.figure;
-        let Some(Symbol::Item(id)) = self.symbol(0, &name.text, name.span) else {
-            self.unknown(&Frame::new(0), &name.text, name.span);
-            return None;
+        let id = match self.symbol(0, &name.text, name.span) {
+            Some(Symbol::Item(id)) => id,
+            Some(Symbol::Missing) => return None,
+            _ => {
+                self.unknown(&Frame::new(0), &name.text, name.span);
+                return None;
+            }
         };
         if !matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Figure(_)) {
             let message = format!("`{}` is not a figure", name.text);
-            let diagnostic = Diagnostic::new(Code::E0401, name.span, message).label("only a figure can be fabricated");
+            let diagnostic =
+                Diagnostic::new(Code::E0401, name.span, message).label("only a figure can be fabricated");
             let declared = self.items[id.0 as usize].name_span;
             self.report(diagnostic.also(declared, "declared here").hint("declare it with `figure … = …`"));
             return None;
@@ -86,16 +96,35 @@ impl Checker<'_> {
 
     fn required_settings(&mut self, block: &ast::Fabricate, kind: SchemaKind, span: Span) {
         let given = |name: &str| {
-            block.entries.iter().any(|entry| {
-                matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name)
+            block.entries.iter().any(
+                |entry| matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name),
+            )
+        };
+        // A misspelt setting is reported as such, not as missing too.
+        let settings = kind.settings();
+        let meant = |name: &str| {
+            let known = settings.iter().map(|setting| setting.name);
+            block.entries.iter().any(|entry| match &entry.kind {
+                ast::EntryKind::Setting(setting, _) => closest(&setting.text, known.clone()) == Some(name),
+                _ => false,
             })
         };
-        for setting in kind.settings().iter().filter(|setting| setting.required && !given(setting.name)) {
-            let at = Span { start: span.start, end: block.kind.span.end, ..span };
-            let message = format!("a block of {} needs `{}`", kind.name(), setting.name);
-            let diagnostic = Diagnostic::new(Code::E0403, at, message).label(format!("no `{}`", setting.name));
-            self.report(diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc)));
+        let missing: Vec<_> = settings
+            .iter()
+            .filter(|setting| setting.required && !given(setting.name) && !meant(setting.name))
+            .collect();
+        if missing.is_empty() {
+            return;
         }
+        let names: Vec<String> = missing.iter().map(|setting| format!("`{}`", setting.name)).collect();
+        let at = Span { start: span.start, end: block.kind.span.end, ..span };
+        let message = format!("a block of {} needs {}", kind.name(), names.join(" and "));
+        let mut diagnostic =
+            Diagnostic::new(Code::E0403, at, message).label(format!("no {}", names.join(", no ")));
+        for setting in missing {
+            diagnostic = diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc));
+        }
+        self.report(diagnostic);
     }
 
     /// One setting of a block; `None` after a report.

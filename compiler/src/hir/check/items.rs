@@ -76,7 +76,9 @@ impl<'a> Checker<'a> {
             .label("needed here, while it is being worked out")
             .also(declared, format!("`{name}` is declared here"));
         diagnostic = match item.kind {
-            ast::ItemKind::Function(_) => diagnostic.hint("write what the function gives: `-> Length`, `-> Curve`, …"),
+            ast::ItemKind::Function(_) => {
+                diagnostic.hint("write what the function gives: `-> Length`, `-> Curve`, …")
+            }
             _ => diagnostic.hint("give one of the definitions in the circle a value of its own"),
         };
         self.report(diagnostic);
@@ -125,10 +127,13 @@ impl<'a> Checker<'a> {
         let ty = self.type_expr(module, &param.ty);
         let number = ty.dimension().is_some();
         if !number && !matches!(ty, Type::Bool | Type::Text | Type::Error) {
-            let name = self.type_name(&ty);
-            let message = format!("a parameter cannot be a {name}");
-            let diagnostic = Diagnostic::new(Code::E0401, param.ty.span, message).label("not set from outside");
-            self.report(diagnostic.hint("parameters are numbers (`Length`, `Angle`, `Int`, …), `Bool` or `Text`"));
+            let name = self.type_in_words(&ty);
+            let message = format!("a parameter cannot be {name}");
+            let diagnostic =
+                Diagnostic::new(Code::E0401, param.ty.span, message).label("not set from outside");
+            self.report(
+                diagnostic.hint("parameters are numbers (`Length`, `Angle`, `Int`, …), `Bool` or `Text`"),
+            );
         }
         let default = self.body(module, &param.default, Some(&ty));
         let bound = |checker: &mut Self, value: &ast::Expr| {
@@ -150,10 +155,9 @@ impl<'a> Checker<'a> {
             ty => ty.is_figure() || *ty == Type::Error,
         };
         if !fits {
-            let name = self.type_name(&ty);
-            let message = format!("a figure is needed, but this is a {name}");
-            let mut diagnostic =
-                Diagnostic::new(Code::E0401, figure.value.span, message).label(format!("a {name}"));
+            let name = self.type_in_words(&ty);
+            let message = format!("a figure is needed, but this is {name}");
+            let mut diagnostic = Diagnostic::new(Code::E0401, figure.value.span, message).label(name);
             diagnostic = match ty {
                 Type::Ifs => diagnostic.hint("put the ifs on control points: `… on (p, q, …) at level 3`"),
                 _ => diagnostic.hint("a figure is an ifs on control points, or a list of such figures"),
@@ -187,7 +191,8 @@ impl<'a> Checker<'a> {
         for (index, (field, parameter)) in fields.iter().zip(signature.parameters).enumerate() {
             if let Some(first) = fields[..index].iter().find(|other| other.name.text == field.name.text) {
                 let message = format!("`{}` is declared twice", field.name.text);
-                let diagnostic = Diagnostic::new(Code::E0302, field.name.span, message).label("declared again here");
+                let diagnostic =
+                    Diagnostic::new(Code::E0302, field.name.span, message).label("declared again here");
                 self.report(diagnostic.also(first.name.span, "first declared here"));
             }
             let default = field.default.as_ref().map(|value| self.body(module, value, Some(&parameter.ty)));

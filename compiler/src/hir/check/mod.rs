@@ -72,6 +72,8 @@ struct Checker<'a> {
     signatures: BTreeMap<ItemId, items::Signature>,
     fabricates: Vec<Fabricate>,
     diagnostics: Diagnostics,
+    /// Candidates compared with unknown names so far.
+    comparisons: usize,
 }
 
 /// The local names around an expression.

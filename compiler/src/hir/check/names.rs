@@ -2,11 +2,14 @@
 
 use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
-use crate::diagnostic::{Code, Diagnostic, did_you_mean};
+use crate::diagnostic::{Code, Diagnostic, closest, did_you_mean};
 use crate::hir::tree::{Expr, ExprKind, ItemId, ItemKind};
 use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
+
+/// How many candidates are compared with unknown names, over a whole design.
+const MOST_COMPARISONS: usize = 200_000;
 
 impl Checker<'_> {
     /// What a name that is no local stands for. A name of the library that is not imported serves with a warning.
@@ -22,7 +25,7 @@ impl Checker<'_> {
             let symbol = scope.public.get(name).filter(|_| !scope.name.is_empty())?;
             Some((scope.name, *symbol))
         })?;
-        if owner != "prelude" && module == 0 {
+        if owner != "prelude" && module == 0 && !self.modules[module].broken_use {
             let file = self.module_file(module);
             let message = format!("`{name}` is used without being imported");
             let line = format!("use std.{owner} ({name})\n");
@@ -47,44 +50,62 @@ impl Checker<'_> {
             Some(Symbol::Item(id)) => self.item_value(id, span),
             Some(Symbol::Native(native)) => {
                 let declaration = native.declaration();
-                let names: Vec<&str> = declaration.parameters.iter().map(|parameter| parameter.name).collect();
+                let names: Vec<&str> =
+                    declaration.parameters.iter().map(|parameter| parameter.name).collect();
                 let message = format!("`{name}` is a function; it needs its arguments");
                 let diagnostic = Diagnostic::new(Code::E0401, span, message).label("a function, not a value");
                 self.report(diagnostic.hint(format!("write `{name}({})`", names.join(", "))));
                 error_expr(span)
             }
             Some(Symbol::Later) => self.later(name, span),
+            Some(Symbol::Missing) => error_expr(span),
             None => self.unknown(frame, name, span),
         }
     }
 
     pub(super) fn later(&mut self, name: &str, span: Span) -> Expr {
         let message = format!("`{name}` is not available yet");
-        let diagnostic = Diagnostic::new(Code::E0001, span, message).label("part of the language, but still to come");
+        let diagnostic =
+            Diagnostic::new(Code::E0001, span, message).label("part of the language, but still to come");
         self.report(diagnostic);
         error_expr(span)
     }
 
     pub(super) fn unknown(&mut self, frame: &Frame, name: &str, span: Span) -> Expr {
-        let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
-        let scope = &self.modules[frame.module];
-        known.extend(scope.own.keys().copied());
-        known.extend(scope.imports.keys().copied());
-        known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
         let mut diagnostic =
             Diagnostic::new(Code::E0301, span, format!("there is no `{name}`")).label("not known here");
-        if let Some(candidate) = crate::diagnostic::closest(name, known.iter().copied()) {
-            let candidate = candidate.to_owned();
+        if let Some(candidate) = self.nearest_value(frame, name) {
             diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), span, candidate);
         }
         self.report(diagnostic);
         error_expr(span)
     }
 
+    /// The known value whose name is nearest, as long as looking for it is not too much work: in a design with
+    /// thousands of unknown names the last ones go without.
+    fn nearest_value(&mut self, frame: &Frame, name: &str) -> Option<String> {
+        let scope = &self.modules[frame.module];
+        self.comparisons = self.comparisons.saturating_add(scope.own.len() + frame.locals.len());
+        if self.comparisons > MOST_COMPARISONS {
+            return None;
+        }
+        let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
+        known.extend(scope.own.keys().copied());
+        known.extend(scope.imports.keys().copied());
+        known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
+        closest(name, known).map(str::to_owned)
+    }
+
+    /// Whether an item is already known to be wrong, or is still being worked out.
+    pub(super) fn is_broken(&self, id: ItemId) -> bool {
+        matches!(self.items[id.0 as usize].kind, ItemKind::Broken)
+    }
+
     fn item_value(&mut self, id: ItemId, span: Span) -> Expr {
         self.ensure_checked(id, span);
         let ty = self.types.get(&id).cloned().unwrap_or(Type::Error);
         match &self.declared[id.0 as usize].item.kind {
+            ast::ItemKind::Ifs(_) if self.is_broken(id) => error_expr(span),
             ast::ItemKind::Ifs(_) => self.ifs_without_arguments(id, span),
             ast::ItemKind::Function(_) | ast::ItemKind::Record(_) => {
                 let name = self.items[id.0 as usize].name.clone();
@@ -93,7 +114,7 @@ impl Checker<'_> {
                 self.report(diagnostic.hint(format!("write `{name}(…)`")));
                 error_expr(span)
             }
-            _ if matches!(self.items[id.0 as usize].kind, ItemKind::Broken) => error_expr(span),
+            _ if self.is_broken(id) => error_expr(span),
             _ => Expr { kind: ExprKind::Global(id), ty, span },
         }
     }
@@ -106,7 +127,7 @@ impl Checker<'_> {
         what: &str,
         known: impl Iterator<Item = &'n str> + Clone,
     ) {
-        let message = format!("there is no {what} `{}`", name.text);
+        let message = format!("there is no {what} called `{}`", name.text);
         let mut diagnostic = Diagnostic::new(code, name.span, message).label("not known here");
         diagnostic = match did_you_mean(&name.text, known.clone()) {
             Some(suggestion) => diagnostic.hint(suggestion),

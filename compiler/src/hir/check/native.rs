@@ -62,9 +62,9 @@ impl Checker<'_> {
                 Takes::Quantities => "a list of numbers",
                 _ => "a list",
             };
-            let name = self.type_name(&value.ty);
-            let message = format!("`{}` takes {wanted}, but this is a {name}", parameter.name);
-            self.report(Diagnostic::new(Code::E0401, value.span, message).label(format!("a {name}")));
+            let name = self.type_in_words(&value.ty);
+            let message = format!("`{}` takes {wanted}, but this is {name}", parameter.name);
+            self.report(Diagnostic::new(Code::E0401, value.span, message).label(name));
         }
         fits
     }
@@ -92,9 +92,9 @@ impl Checker<'_> {
             }
             Native::Interpolate => {
                 if *first != Type::LENGTH {
-                    let name = self.type_name(first);
-                    let message = format!("`interpolate` looks up a Length, but this is a {name}");
-                    self.report(Diagnostic::new(Code::E0401, values[0].span, message).label(format!("a {name}")));
+                    let name = self.type_in_words(first);
+                    let message = format!("`interpolate` looks up a Length, but this is {name}");
+                    self.report(Diagnostic::new(Code::E0401, values[0].span, message).label(name));
                     return None;
                 }
                 Type::LENGTH
@@ -102,8 +102,11 @@ impl Checker<'_> {
             Native::Segment => {
                 let control = values.iter().all(|value| value.ty.point_space() == Some(PointSpace::Control));
                 if !control {
-                    let message = "a germ is drawn between the control points of its ifs, or combinations of them";
-                    self.report(Diagnostic::new(Code::E0402, values[0].span, message).label("not a control point"));
+                    let message =
+                        "a germ is drawn between the control points of its ifs, or combinations of them";
+                    self.report(
+                        Diagnostic::new(Code::E0402, values[0].span, message).label("not a control point"),
+                    );
                     return None;
                 }
                 Type::Germ
@@ -119,7 +122,9 @@ impl Checker<'_> {
             return Some(Type::Quantity(root));
         }
         let message = format!("there is no square root of a {}", dimension.name());
-        self.report(Diagnostic::new(Code::E0402, value.span, message).label(format!("a {}", dimension.name())));
+        self.report(
+            Diagnostic::new(Code::E0402, value.span, message).label(format!("a {}", dimension.name())),
+        );
         None
     }
 

@@ -17,6 +17,8 @@ pub(super) enum Symbol {
     Native(Native),
     /// Something of the language that the program cannot do yet.
     Later,
+    /// A name whose import failed: what it stands for is not known, and the import has been reported.
+    Missing,
 }
 
 pub(super) struct Import {
@@ -32,6 +34,8 @@ pub(super) struct ModuleScope<'a> {
     pub(super) own: BTreeMap<&'a str, ItemId>,
     pub(super) public: BTreeMap<&'a str, Symbol>,
     pub(super) imports: BTreeMap<&'a str, Import>,
+    /// Whether a `use` names nothing, so that any name of the library may have been meant.
+    pub(super) broken_use: bool,
 }
 
 pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
@@ -42,9 +46,10 @@ pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
         ast::ItemKind::Record(record) => Some(&record.name),
         ast::ItemKind::Ifs(ifs) => Some(&ifs.name),
         ast::ItemKind::Figure(figure) => Some(&figure.name),
-        ast::ItemKind::Use(_) | ast::ItemKind::Fabricate(_) | ast::ItemKind::Test(_) | ast::ItemKind::Error => {
-            None
-        }
+        ast::ItemKind::Use(_)
+        | ast::ItemKind::Fabricate(_)
+        | ast::ItemKind::Test(_)
+        | ast::ItemKind::Error => None,
     }
 }
 
@@ -58,6 +63,7 @@ impl<'a> Checker<'a> {
             signatures: BTreeMap::new(),
             fabricates: Vec::new(),
             diagnostics: Diagnostics::default(),
+            comparisons: 0,
         };
         for source in sources {
             checker.declare_module(*source);
@@ -77,6 +83,7 @@ impl<'a> Checker<'a> {
             own: BTreeMap::new(),
             public: BTreeMap::new(),
             imports: BTreeMap::new(),
+            broken_use: false,
         };
         if !source.name.is_empty() {
             for native in NATIVES.iter().filter(|native| native.module == source.name) {
@@ -91,8 +98,10 @@ impl<'a> Checker<'a> {
             if let Some(first) = scope.own.get(name.text.as_str()) {
                 let first = self.items[first.0 as usize].name_span;
                 let message = format!("`{}` is declared twice", name.text);
-                let diagnostic = Diagnostic::new(Code::E0302, name.span, message).label("declared again here");
-                let diagnostic = diagnostic.also(first, "first declared here").hint("give one of them another name");
+                let diagnostic =
+                    Diagnostic::new(Code::E0302, name.span, message).label("declared again here");
+                let diagnostic =
+                    diagnostic.also(first, "first declared here").hint("give one of them another name");
                 self.report(diagnostic);
                 continue;
             }
@@ -111,7 +120,11 @@ impl<'a> Checker<'a> {
         let ast = self.modules[module].ast;
         for item in &ast.items {
             let ast::ItemKind::Use(import) = &item.kind else { continue };
-            let Some(from) = self.find_module(&import.module) else { continue };
+            self.modules[module].broken_use |= import.names.is_empty();
+            let Some(from) = self.find_module(&import.module) else {
+                import.names.iter().for_each(|name| self.missing_import(module, name));
+                continue;
+            };
             for name in &import.names {
                 self.import_name(module, from, name);
             }
@@ -121,19 +134,40 @@ impl<'a> Checker<'a> {
     fn import_name(&mut self, module: usize, from: usize, name: &'a ast::Name) {
         let Some(symbol) = self.modules[from].public.get(name.text.as_str()).copied() else {
             self.no_such_export(from, name);
+            self.missing_import(module, name);
             return;
         };
         let scope = &self.modules[module];
         let earlier = scope.imports.get(name.text.as_str()).map(|import| import.span);
         let own = scope.own.get(name.text.as_str()).map(|id| self.items[id.0 as usize].name_span);
         if let Some(other) = earlier.or(own) {
-            let message = format!("`{}` is both imported and declared, or imported twice", name.text);
+            let (message, first, mend) = match earlier {
+                Some(_) => (
+                    format!("`{}` is imported twice", name.text),
+                    "first imported here",
+                    "remove one of them",
+                ),
+                None => (
+                    format!("`{}` is imported and declared too", name.text),
+                    "declared here",
+                    "remove the import, or give your own another name",
+                ),
+            };
             let diagnostic = Diagnostic::new(Code::E0302, name.span, message).label("imported here");
-            self.report(diagnostic.also(other, "the other one").hint("remove one of them"));
+            self.report(diagnostic.also(other, first).hint(mend));
             return;
         }
         let import = Import { symbol, span: name.span, used: false };
         self.modules[module].imports.insert(&name.text, import);
+    }
+
+    /// Notes a name whose import failed, so that its uses are not reported too.
+    fn missing_import(&mut self, module: usize, name: &'a ast::Name) {
+        let scope = &mut self.modules[module];
+        if !scope.own.contains_key(name.text.as_str()) {
+            let import = Import { symbol: Symbol::Missing, span: name.span, used: true };
+            scope.imports.entry(&name.text).or_insert(import);
+        }
     }
 
     fn no_such_export(&mut self, from: usize, name: &ast::Name) {
@@ -168,11 +202,13 @@ impl<'a> Checker<'a> {
         };
         let dotted: Vec<&str> = names.iter().map(|name| name.text.as_str()).collect();
         if let ["std", module] = dotted.as_slice()
-            && let Some(found) = self.modules.iter().position(|scope| scope.name == *module && *module != "prelude")
+            && let Some(found) =
+                self.modules.iter().position(|scope| scope.name == *module && *module != "prelude")
         {
             return Some(found);
         }
-        let known: Vec<String> = self.modules.iter().map(|scope| format!("std.{}", scope.name)).skip(2).collect();
+        let known: Vec<String> =
+            self.modules.iter().map(|scope| format!("std.{}", scope.name)).skip(2).collect();
         let written = dotted.join(".");
         let message = format!("there is no module `{written}`");
         let mut diagnostic = Diagnostic::new(Code::E0303, path.span(), message).label("not a module");
@@ -184,8 +220,12 @@ impl<'a> Checker<'a> {
         None
     }
 
-    /// Warns of imports of the design that nothing uses.
+    /// Warns of imports of the design that nothing uses. Where there are errors nothing is said: what uses them may
+    /// stand in what could not be understood.
     pub(super) fn warn_unused_imports(&mut self) {
+        if self.diagnostics.has_errors() {
+            return;
+        }
         let unused: Vec<(String, Span)> = self.modules[0]
             .imports
             .iter()

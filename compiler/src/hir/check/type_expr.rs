@@ -1,6 +1,7 @@
 //! Types as written, and types in words.
 
 use super::Checker;
+use super::convert::article;
 use super::scope::Symbol;
 use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::dimension::Dimension;
@@ -41,12 +42,17 @@ impl Checker<'_> {
             self.later(name, ty.span);
             return Type::Error;
         }
-        if let Some(Symbol::Item(id)) = self.symbol(module, name, ty.span)
-            && matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Record(_))
-        {
-            return Type::Record(id);
+        match self.symbol(module, name, ty.span) {
+            Some(Symbol::Item(id))
+                if matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Record(_)) =>
+            {
+                return Type::Record(id);
+            }
+            Some(Symbol::Missing) => return Type::Error,
+            _ => {}
         }
-        let records = self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
+        let records =
+            self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
         let library = self.modules.iter().flat_map(|scope| scope.public.keys().copied());
         let library = library.filter(|name| name.starts_with(char::is_uppercase));
         let mut known: Vec<String> = Dimension::names().map(str::to_owned).collect();
@@ -58,10 +64,17 @@ impl Checker<'_> {
             Some(candidate) => {
                 diagnostic.fix(format!("did you mean `{candidate}`?"), ty.span, candidate.to_owned())
             }
-            None => diagnostic.hint("types are `Number`, `Length`, `Angle`, `Point`, `[Length]` and the like, or records"),
+            None => diagnostic
+                .hint("types are `Number`, `Length`, `Angle`, `Point`, `[Length]` and the like, or records"),
         };
         self.report(diagnostic);
         Type::Error
+    }
+
+    /// A type with its article, for messages: `an Int`.
+    pub(super) fn type_in_words(&self, ty: &Type) -> String {
+        let name = self.type_name(ty);
+        format!("{} {name}", article(&name))
     }
 
     /// A type in words, for messages.

@@ -1,7 +1,7 @@
 //! Conversions that are checked when a value is known: weighted sums to points and vectors, figures to curves and
 //! surfaces.
 
-use super::{Evaluator, MustJoin, Outcome};
+use super::{Evaluator, MustJoin, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::{AtomId, Rational};
 use crate::hir::scalar::Scalar;
@@ -50,6 +50,11 @@ impl Evaluator<'_> {
         };
         if !off {
             return Ok(Value::Combination(sum.clone()));
+        }
+        if let Some(made) = sum.made.filter(|made| *made != from.span)
+            && !self.wrong_sums.insert(made)
+        {
+            return Err(Stop::Reported);
         }
         let (code, what) = if wanted == 1 { (Code::E0501, "point") } else { (Code::E0502, "vector") };
         let total = self.scalar_words(&sum.weight);

@@ -13,8 +13,8 @@ mod overrides;
 mod placement;
 mod symbolic;
 
-pub use expression::{quantity_words, words};
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
+pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceTransform};
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
 
@@ -53,6 +53,8 @@ pub struct Evaluator<'a> {
     must_join: Vec<MustJoin>,
     /// Every ifs with an error in it, reported once.
     broken: BTreeSet<ItemId>,
+    /// Where sums were made whose weights have been reported: each once, however often it is used.
+    wrong_sums: BTreeSet<Span>,
 }
 
 /// An ifs used where its pieces must join.
@@ -98,6 +100,7 @@ impl<'a> Evaluator<'a> {
             points: Vec::new(),
             must_join: Vec::new(),
             broken: BTreeSet::new(),
+            wrong_sums: BTreeSet::new(),
         }
     }
 
@@ -140,7 +143,12 @@ impl<'a> Evaluator<'a> {
     ///
     /// # Errors
     /// After a report.
-    pub fn in_block(&mut self, value: &super::tree::Expr, slots: u32, material: Option<&Value>) -> Outcome<Value> {
+    pub fn in_block(
+        &mut self,
+        value: &super::tree::Expr,
+        slots: u32,
+        material: Option<&Value>,
+    ) -> Outcome<Value> {
         let mut frame = Frame::new(slots.max(1));
         if let Some(material) = material {
             frame.set(LocalId(0), material.clone());
@@ -154,7 +162,14 @@ impl<'a> Evaluator<'a> {
     }
 
     fn report(&mut self, mut diagnostic: Diagnostic) -> Stop {
-        if let Some(call) = self.calls.iter().rev().find(|call| **call != diagnostic.span) {
+        let root = self.hir.root;
+        let own = self.calls.iter().rev().find(|call| call.file == root);
+        if let (Some(call), false) = (own, diagnostic.span.file == root) {
+            // What goes wrong inside of the library goes wrong in the design: where it calls the library.
+            let (inside, label) = (diagnostic.span, std::mem::take(&mut diagnostic.label));
+            diagnostic.span = *call;
+            diagnostic = diagnostic.label("in this call").also(inside, label);
+        } else if let Some(call) = self.calls.iter().rev().find(|call| **call != diagnostic.span) {
             diagnostic = diagnostic.also(*call, "called here");
         }
         self.diagnostics.push(diagnostic);

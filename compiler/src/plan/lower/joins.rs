@@ -120,7 +120,7 @@ impl Lowering<'_, '_> {
         let name = &automaton.state(state).name;
         let Joins::Open(open) = verdict else {
             let message = format!("the pieces of `{name}` could not be proved to meet");
-            return Diagnostic::new(Code::E0505, at, message).label(why).note("the proof takes too many steps");
+            return Diagnostic::new(Code::E0505, at, message).label("not proved").note("the proof takes too many steps");
         };
         let transforms = &automaton.state(open.state).transforms;
         let (left, right) = (&transforms[open.left].name, &transforms[open.right].name);
