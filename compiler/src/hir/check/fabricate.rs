@@ -3,8 +3,8 @@
 use super::scope::Symbol;
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
-use crate::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
-use crate::hir::tree::{Expr, ExprKind, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
+use crate::hir::schema::{Measure, SchemaKind, SettingType};
+use crate::hir::tree::{Expr, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
@@ -160,10 +160,6 @@ impl Checker<'_> {
     }
 
     fn library_record(&mut self, frame: &mut Frame, record: &str, value: &ast::Expr) -> Expr {
-        if matches!(&value.kind, ast::ExprKind::Name(name) if name == "none") && record == "Engraving" {
-            let kind = ExprKind::Choice(ChoiceKind::Engraved, 0);
-            return Expr { kind, ty: Type::Choice(ChoiceKind::Engraved), span: value.span };
-        }
         let found = self.modules.iter().find_map(|scope| match scope.public.get(record) {
             Some(Symbol::Item(id)) if !scope.name.is_empty() => Some(*id),
             _ => None,
