@@ -29,7 +29,9 @@ pub(super) fn programs(analysis: &Analysis) -> (Vec<Output>, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let hash = design_hash(analysis);
     for made in &analysis.fabrications {
-        let Some((_, value, span)) = made.settings.iter().find(|(name, _, _)| *name == "machine") else { continue };
+        let Some((_, value, span)) = made.settings.iter().find(|(name, _, _)| *name == "machine") else {
+            continue;
+        };
         match machine(&analysis.hir, value, *span) {
             Ok(machine) => block(analysis, made, &machine, *span, &hash, &mut outputs, &mut diagnostics),
             Err(diagnostic) => diagnostics.push(diagnostic),
@@ -77,12 +79,15 @@ fn failed(code: Code, failures: &[&Failure], span: Span) -> Option<Diagnostic> {
     let message = format!("{} ({}) gets no program: {}", first.alias, first.address, first.why);
     let mut diagnostic = Diagnostic::new(code, span, message).label("cannot be cut by this machine");
     if failures.len() > 1 {
-        let others: Vec<&str> = failures[1..].iter().take(NAMED).map(|failure| failure.alias.as_str()).collect();
+        let others: Vec<&str> =
+            failures[1..].iter().take(NAMED).map(|failure| failure.alias.as_str()).collect();
         let more = if failures.len() > NAMED + 1 { ", …" } else { "" };
         diagnostic = diagnostic.note(format!("and {} more: {}{more}", failures.len() - 1, others.join(", ")));
     }
     Some(match code {
-        Code::E0901 => diagnostic.hint("use another tool, a smaller address or larger boards; nothing was written"),
+        Code::E0901 => {
+            diagnostic.hint("use another tool, a smaller address or larger boards; nothing was written")
+        }
         _ => diagnostic.note("the program was read back and does not cut the board; nothing was written"),
     })
 }
@@ -132,8 +137,16 @@ fn panel_job(panel: &Panel, design: &str, hash: &str, (height, least): (f64, f64
         let neighbour = towards(panel.neighbours[edge].as_ref());
         format!("edge {edge}: {bevel}{neighbour}")
     });
-    job(&panel.label, design, hash, panel.outline.clone(), panel.thickness, "outer".to_owned(), notes.collect())
-        .engraved(height, least, clearance)
+    job(
+        &panel.label,
+        design,
+        hash,
+        panel.outline.clone(),
+        panel.thickness,
+        "outer".to_owned(),
+        notes.collect(),
+    )
+    .engraved(height, least, clearance)
 }
 
 fn plank_job(plank: &Plank, design: &str, hash: &str, (height, least): (f64, f64)) -> CutJob {
@@ -204,7 +217,8 @@ impl CutJob {
 
 /// The machine of a record of the library's type `Machine`.
 fn machine(hir: &Hir, value: &Value, span: Span) -> Result<Machine, Diagnostic> {
-    let incomplete = || Diagnostic::new(Code::E0804, span, "this machine is not complete").label("a field is missing");
+    let incomplete =
+        || Diagnostic::new(Code::E0804, span, "this machine is not complete").label("a field is missing");
     let get = |name: &str| number(hir, value, name).ok_or_else(incomplete);
     let tool = |name: &str| field(hir, value, name).and_then(|value| tool(hir, value)).ok_or_else(incomplete);
     let (cutter, engraver) = (tool("cutter")?, tool("engraver")?);
