@@ -6,10 +6,12 @@
 pub mod analysis;
 pub mod diagnostic;
 pub mod exact;
+pub mod export;
 pub mod fabricate;
 pub mod geometry;
 pub mod hir;
 pub mod ifs;
+pub mod outputs;
 pub mod plan;
 pub mod planarize;
 pub mod source;
