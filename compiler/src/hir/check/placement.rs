@@ -8,12 +8,19 @@ use crate::source::Span;
 use crate::syntax::ast;
 
 impl Checker<'_> {
-    pub(super) fn on(&mut self, frame: &mut Frame, ifs: &ast::Expr, placement: &ast::Placement, span: Span) -> Expr {
+    pub(super) fn on(
+        &mut self,
+        frame: &mut Frame,
+        ifs: &ast::Expr,
+        placement: &ast::Placement,
+        span: Span,
+    ) -> Expr {
         let ifs = self.expect(frame, ifs, &Type::Ifs);
         let point = Type::Point(PointSpace::Any);
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
-                let points: Vec<Expr> = points.iter().map(|value| self.expect(frame, value, &point)).collect();
+                let points: Vec<Expr> =
+                    points.iter().map(|value| self.expect(frame, value, &point)).collect();
                 self.count_points(&ifs, points.len(), *at);
                 let ty = Type::List(Box::new(point));
                 (Expr { kind: ExprKind::List(points), ty, span: *at }, *at)
@@ -43,11 +50,18 @@ impl Checker<'_> {
         let item = &self.items[id.0 as usize];
         let (name, declared_at) = (item.name.clone(), item.name_span);
         let message = format!("`{name}` is placed on {needed} control points, but {given} are given");
-        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(format!("{given} points"));
-        self.report(diagnostic.also(declared_at, format!("on ({names})")));
+        let label = if given == 1 { "one point".to_owned() } else { format!("{given} points") };
+        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(label);
+        self.report(diagnostic.also(declared_at, "declared here").hint(format!("it needs ({names})")));
     }
 
-    pub(super) fn at(&mut self, frame: &mut Frame, figure: &ast::Expr, level: &ast::Level, span: Span) -> Expr {
+    pub(super) fn at(
+        &mut self,
+        frame: &mut Frame,
+        figure: &ast::Expr,
+        level: &ast::Level,
+        span: Span,
+    ) -> Expr {
         let figure = self.expr(frame, figure, None);
         let figure = if figure.ty.is_figure() { figure } else { self.convert(figure, &Type::Figure) };
         let (first, second) = match level {
