@@ -7,7 +7,7 @@ use super::settings::{self, SettingValue};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Grain, Panel, PanelRefusal, PanelSettings, RefusedPanel, Side, panels};
-use crate::fabricate::plank::{Ends, Plank, PlankSettings, RefusedPlank, planks};
+use crate::fabricate::plank::{Ends, Plank, PlankError, PlankRefusal, PlankSettings, RefusedPlank, planks};
 use crate::geometry::QuadMesh;
 use crate::hir::evaluate::Evaluator;
 use crate::hir::schema::{Measure, SchemaKind};
@@ -130,7 +130,15 @@ impl Work<'_> {
         let material = self.setting("material").map(|(_, value, _)| value.clone());
         let mut limits: Vec<LimitValue> = Vec::new();
         for requirement in &self.block.requirements {
-            limits.push(evaluate_limit(self.hir, evaluator, self.block, requirement, material.as_ref())?);
+            let found = &mut self.diagnostics;
+            limits.push(evaluate_limit(
+                self.hir,
+                evaluator,
+                self.block,
+                requirement,
+                material.as_ref(),
+                found,
+            )?);
         }
         self.within_board_limit()?;
         let elements = match self.block.kind {
@@ -322,11 +330,27 @@ impl Work<'_> {
         for (place, figure) in figures {
             self.curve(place, &figure, &mut made)?;
         }
-        let named: Vec<(&Label, String)> =
-            made.refused.iter().map(|refusal| (&refusal.label, refusal.reason.to_string())).collect();
-        let span = self.setting("stock").map_or(self.block.figure_span, |(_, _, span)| *span);
-        self.refused_elements(&named, span, "use longer stock, a smaller depth, or another level");
+        self.refused_planks(&made.refused);
         Some(made)
+    }
+
+    fn refused_planks(&mut self, refused: &[RefusedPlank]) {
+        let place = |name: &str| self.setting(name).map_or(self.block.figure_span, |(_, _, span)| *span);
+        let (stock, section, figure) = (place("stock"), place("section"), self.block.figure_span);
+        for (span, hint, is_meant) in [
+            (
+                stock,
+                "use longer stock, or a higher level: the planks get shorter",
+                too_long as fn(&PlankRefusal) -> bool,
+            ),
+            (section, "use a smaller depth, or a lower level: the planks get longer", cuts_cross),
+            (figure, "move the control points apart, or use a lower level", no_length),
+        ] {
+            let group = refused.iter().filter(|refusal| is_meant(&refusal.reason));
+            let named: Vec<(&Label, String)> =
+                group.map(|refusal| (&refusal.label, refusal.reason.to_string())).collect();
+            self.refused_elements(&named, span, hint);
+        }
     }
 
     fn curve(&mut self, place: usize, figure: &FigurePlan, made: &mut PlanksMade) -> Option<()> {
@@ -340,15 +364,36 @@ impl Work<'_> {
                 made.planks.extend(done.planks);
                 made.refused.extend(done.refused);
             }
+            Err(error @ PlankError::NoSection { what, .. }) => {
+                let setting = if matches!(what, "gap" | "stock") { what } else { "section" };
+                self.refuse(setting, &error.to_string());
+                return None;
+            }
             Err(error) => {
                 let why = format!("no planks can be made of `{figure}`: {error}");
                 let diagnostic =
                     Diagnostic::new(Code::E0802, self.block.figure_span, why).label("this figure");
-                self.diagnostics.push(diagnostic);
+                let hint = match error {
+                    PlankError::NotPlanar { .. } => "move its control points into one plane",
+                    _ => "are its control points and its level right?",
+                };
+                self.diagnostics.push(diagnostic.hint(hint));
                 return None;
             }
         }
         made.figures.push(PlankFigure { figure: place, points, labels });
         Some(())
     }
+}
+
+fn too_long(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::TooLong { .. })
+}
+
+fn cuts_cross(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::CutsCross { .. })
+}
+
+fn no_length(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::NoLength)
 }

@@ -212,6 +212,16 @@ pub enum Measure {
 }
 
 impl Measure {
+    /// All of them.
+    pub const ALL: [Measure; 6] = [
+        Measure::Planarity,
+        Measure::Edge,
+        Measure::Length,
+        Measure::Mitre,
+        Measure::Overlap,
+        Measure::BendRadius,
+    ];
+
     /// The measure of these words, where the program has it.
     pub fn named(words: &str) -> Option<Measure> {
         match words {

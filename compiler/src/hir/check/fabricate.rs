@@ -7,21 +7,17 @@ use crate::hir::schema::{Measure, SchemaKind, SettingType};
 use crate::hir::tree::{Expr, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
-use crate::syntax::ast;
+use crate::syntax::{MEASURES, ast};
 
 impl Checker<'_> {
-    pub(super) fn fabricate(&mut self, block: &ast::Fabricate, span: Span) {
+    pub(super) fn fabricate(&mut self, block: &ast::Fabricate) {
         let figure = self.fabricated_figure(block);
         let kind = match block.kind.text.as_str() {
             "panels" => SchemaKind::Panels,
             "planks" => SchemaKind::Planks,
             _ => {
-                self.unknown_word(
-                    Code::E0411,
-                    &block.kind,
-                    "kind of element",
-                    ["panels", "planks"].into_iter(),
-                );
+                let message = format!("no boards are made as `{}`", block.kind.text);
+                self.unknown_word(Code::E0411, &block.kind, message, ["panels", "planks"].into_iter());
                 return;
             }
         };
@@ -36,7 +32,7 @@ impl Checker<'_> {
         }
         let broken = block.entries.iter().any(|entry| entry.kind == ast::EntryKind::Error);
         if !broken {
-            self.required_settings(block, kind, span);
+            self.required_settings(block, kind);
         }
         let material = settings.iter().find(|setting| setting.name == "material");
         let material = material.map_or(Type::Error, |setting| setting.value.ty.clone());
@@ -65,13 +61,9 @@ impl Checker<'_> {
 
     fn fabricated_figure(&mut self, block: &ast::Fabricate) -> Option<ItemId> {
         let name = &block.figure;
-        let id = match self.symbol(0, &name.text, name.span) {
-            Some(Symbol::Item(id)) => id,
-            Some(Symbol::Missing) => return None,
-            _ => {
-                self.unknown(&Frame::new(0), &name.text, name.span);
-                return None;
-            }
+        let Some(Symbol::Item(id)) = self.symbol(0, &name.text, name.span) else {
+            self.unknown(&Frame::new(0), &name.text, name.span, "figure");
+            return None;
         };
         if !matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Figure(_)) {
             let message = format!("`{}` is not a figure", name.text);
@@ -94,27 +86,17 @@ impl Checker<'_> {
         }
     }
 
-    fn required_settings(&mut self, block: &ast::Fabricate, kind: SchemaKind, span: Span) {
+    fn required_settings(&mut self, block: &ast::Fabricate, kind: SchemaKind) {
         let given = |name: &str| {
             block.entries.iter().any(
                 |entry| matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name),
             )
         };
-        // A misspelt setting is reported as such, not as missing too.
-        let settings = kind.settings();
-        let meant = |name: &str| {
-            let known = settings.iter().map(|setting| setting.name);
-            block.entries.iter().any(|entry| match &entry.kind {
-                ast::EntryKind::Setting(setting, _) => closest(&setting.text, known.clone()) == Some(name),
-                _ => false,
-            })
-        };
-        let missing: Vec<_> = settings
-            .iter()
-            .filter(|setting| setting.required && !given(setting.name) && !meant(setting.name))
-            .collect();
-        if missing.is_empty() {
-            return;
+        for setting in kind.settings().iter().filter(|setting| setting.required && !given(setting.name)) {
+            let message = format!("{} need `{}`", kind.name(), setting.name);
+            let diagnostic = Diagnostic::new(Code::E0403, block.kind.span, message)
+                .label(format!("no `{}`", setting.name));
+            self.report(diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc)));
         }
         let names: Vec<String> = missing.iter().map(|setting| format!("`{}`", setting.name)).collect();
         let at = Span { start: span.start, end: block.kind.span.end, ..span };
@@ -137,9 +119,10 @@ impl Checker<'_> {
         earlier: &[SettingValue],
     ) -> Option<SettingValue> {
         let Some(setting) = kind.setting(&name.text) else {
-            let known: Vec<&str> = kind.settings().iter().map(|setting| setting.name).collect();
-            let what = format!("setting of {}", kind.name());
-            self.unknown_word(Code::E0404, name, &what, known.into_iter());
+            let available = kind.settings().into_iter().filter(|setting| setting.ty != SettingType::Later);
+            let known: Vec<&str> = available.map(|setting| setting.name).collect();
+            let message = format!("{} have no setting `{}`", kind.name(), name.text);
+            self.unknown_word(Code::E0404, name, message, known.into_iter());
             return None;
         };
         if let Some(first) = earlier.iter().find(|other| other.name == setting.name) {
@@ -179,13 +162,19 @@ impl Checker<'_> {
     ) -> Option<Requirement> {
         let words = &requirement.measure;
         let Some(measure) = Measure::named(&words.text) else {
-            self.later(&words.text, words.span);
+            // What is no measure at all, the parser has said.
+            if MEASURES.contains(&words.text.as_str()) {
+                self.later(&words.text, words.span);
+            }
             return None;
         };
         if !measure.applies_to(kind) {
             let message = format!("`{}` is no measure of {}", words.text, kind.name());
             let label = format!("not measured on {}", kind.name());
-            self.report(Diagnostic::new(Code::E0806, words.span, message).label(label));
+            let measures = Measure::ALL.iter().filter(|measure| measure.applies_to(kind));
+            let measures: Vec<String> = measures.map(|measure| format!("`{}`", measure.words())).collect();
+            let note = format!("{} have {}", kind.name(), measures.join(", "));
+            self.report(Diagnostic::new(Code::E0806, words.span, message).label(label).note(note));
             return None;
         }
         let limit = match &requirement.limit {

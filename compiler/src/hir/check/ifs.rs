@@ -169,17 +169,20 @@ impl Checker<'_> {
             return;
         }
         let message = format!("`{name}` has {needed} control points, but the transform lists {given}");
-        let diagnostic = Diagnostic::new(Code::E0503, at, message).label(format!("{given} points"));
+        let label = if given == 1 { "one point".to_owned() } else { format!("{given} points") };
+        let diagnostic = Diagnostic::new(Code::E0503, at, message).label(label);
         let hint = match needed.checked_sub(given) {
             Some(1) => "one is missing".to_owned(),
             Some(missing) => format!("{missing} are missing"),
-            None => format!("{} too many", given - needed),
+            None if given == needed + 1 => "one is too many".to_owned(),
+            None => format!("{} are too many", given - needed),
         };
         self.report(diagnostic.hint(hint));
     }
 
     fn complete(&mut self, ifs: &ast::Ifs, typed: &Ifs) {
-        let broken = ifs.members.iter().any(|member| member.kind == ast::MemberKind::Error);
+        let broken = typed.control_points.is_empty()
+            || ifs.members.iter().any(|member| member.kind == ast::MemberKind::Error);
         let attempted = ifs.members.iter().any(|member| matches!(member.kind, ast::MemberKind::Transform(_)));
         if typed.transforms.is_empty() && !attempted && !broken {
             let message = format!("`{}` has no transforms", ifs.name.text);

@@ -20,11 +20,7 @@ impl Checker<'_> {
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
                 let points: Vec<Expr> =
-                    points.iter().map(|value| self.expr(frame, value, Some(&point))).collect();
-                if let Some(list) = points.iter().find(|value| matches!(value.ty, Type::List(_))) {
-                    return self.list_in_brackets(list, points.len(), span);
-                }
-                let points: Vec<Expr> = points.into_iter().map(|value| self.convert(value, &point)).collect();
+                    points.iter().map(|value| self.expect(frame, value, &point)).collect();
                 self.count_points(&ifs, points.len(), *at);
                 let ty = Type::List(Box::new(point));
                 (Expr { kind: ExprKind::List(points), ty, span: *at }, *at)
@@ -65,8 +61,9 @@ impl Checker<'_> {
         let item = &self.items[id.0 as usize];
         let (name, declared_at) = (item.name.clone(), item.name_span);
         let message = format!("`{name}` is placed on {needed} control points, but {given} are given");
-        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(format!("{given} points"));
-        self.report(diagnostic.also(declared_at, format!("on ({names})")));
+        let label = if given == 1 { "one point".to_owned() } else { format!("{given} points") };
+        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(label);
+        self.report(diagnostic.also(declared_at, "declared here").hint(format!("it needs ({names})")));
     }
 
     pub(super) fn at(

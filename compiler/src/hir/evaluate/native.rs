@@ -37,7 +37,10 @@ impl Evaluator<'_> {
                     _ => Err(Stop::Reported),
                 };
             }
-            (Native::Sheet, [u, v, net, ..]) => return self.sheet(u, v, net, arguments[2].span, span),
+            (Native::Sheet, [u, v, net, ..]) => {
+                let places = [arguments[0].span, arguments[1].span, arguments[2].span];
+                return self.sheet([u, v, net], places, span);
+            }
             (Native::Len, [Value::List(list)]) => Scalar::integer(list.len() as i64),
             (Native::Sum, [Value::List(list)]) => self.sum(list, span)?,
             (Native::Min | Native::Max, [Value::List(list)]) => self.extreme(native, list, &arguments[0])?,
@@ -80,7 +83,8 @@ impl Evaluator<'_> {
         }
         best.ok_or_else(|| {
             let message = format!("`{}` of an empty list", native.declaration().name);
-            self.report(Diagnostic::new(Code::E0604, at.span, message).label("no elements"))
+            let diagnostic = Diagnostic::new(Code::E0604, at.span, message).label("no elements");
+            self.report(diagnostic.hint("is the range or the `if` of the list right?"))
         })
     }
 
@@ -149,7 +153,9 @@ impl Evaluator<'_> {
             Native::Sqrt => {
                 if self.order(x, &Scalar::zero(), span)?.is_lt() {
                     let message = "there is no square root of a number below 0";
-                    return Err(self.report(Diagnostic::new(Code::E0604, span, message).label("below 0")));
+                    let is = super::words(x, &argument.ty);
+                    let diagnostic = Diagnostic::new(Code::E0604, span, message).label(format!("is {is}"));
+                    return Err(self.report(diagnostic.hint("do the lengths fit each other?")));
                 }
                 square_root(x)
             }

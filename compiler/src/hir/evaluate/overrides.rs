@@ -114,6 +114,21 @@ impl Evaluator<'_> {
         Ok(value)
     }
 
+    /// A range is stepped through upwards, so its step is above 0.
+    fn rising_step(&mut self, name: &str, param: &Param) -> Outcome<()> {
+        let Some(step) = &param.step else { return Ok(()) };
+        let value = self.body(step)?;
+        let rises = value
+            .scalar()
+            .is_some_and(|value| value.compare(&Scalar::zero()).is_ok_and(std::cmp::Ordering::is_gt));
+        if rises {
+            return Ok(());
+        }
+        let message = format!("the range of `{name}` has no end with a step that is not above 0");
+        let diagnostic = Diagnostic::new(Code::E0607, step.value.span, message).label("not above 0");
+        Err(self.report(diagnostic.hint("leave the step out, or make it larger than 0")))
+    }
+
     fn in_range(
         &mut self,
         name: &str,
@@ -133,10 +148,10 @@ impl Evaluator<'_> {
         if !inside(least, most) {
             let message =
                 format!("the range of `{name}` is empty: {} is above {}", words(least), words(most));
-            return Err(
-                self.report(Diagnostic::new(Code::E0607, range_span, message).label("nothing lies in it"))
-            );
+            let diagnostic = Diagnostic::new(Code::E0607, range_span, message).label("nothing lies in it");
+            return Err(self.report(diagnostic.hint("write the smaller end first")));
         }
+        self.rising_step(name, param)?;
         if inside(least, value) && inside(value, most) {
             return Ok(());
         }

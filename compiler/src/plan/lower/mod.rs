@@ -47,13 +47,16 @@ pub fn lower<'h>(
     let mut lowering =
         Lowering { hir, evaluator, states: States::default(), diagnostics: Vec::new(), failed: false };
     let mut figures = Vec::new();
+    // An ifs is checked for all its parameters before a figure asks for some of them: one mistake, said once.
+    for (id, _) in hir.own_items().filter(|(_, item)| matches!(item.kind, ItemKind::Ifs(_))) {
+        lowering.evaluator.check_symbolically(id);
+    }
     for (id, item) in hir.own_items() {
         match &item.kind {
             ItemKind::Figure(_) => figures.extend(lowering.figure(id, overrides)),
             ItemKind::Param(_) | ItemKind::Let(_) => {
                 lowering.failed |= lowering.evaluator.global(id).is_err()
             }
-            ItemKind::Ifs(_) => lowering.evaluator.check_symbolically(id),
             _ => {}
         }
     }

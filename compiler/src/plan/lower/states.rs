@@ -2,10 +2,8 @@
 
 use super::Lowering;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::evaluate::{InstanceBody, words};
-use crate::hir::tree::{Hir, ItemKind};
-use crate::hir::types::Type;
-use crate::hir::value::{Instance, Value};
+use crate::hir::evaluate::{InstanceBody, instance_name};
+use crate::hir::value::Instance;
 use crate::ifs::{Automaton, AutomatonError, Germ, MAX_STATES, Matrix, State, StateId, Transform};
 use crate::source::Span;
 
@@ -122,26 +120,4 @@ impl Lowering<'_, '_> {
     pub(super) fn germ_span(&self, state: StateId) -> Option<Span> {
         Some(self.states.bodies.get(state.index())?.as_ref()?.germ_span)
     }
-}
-
-/// An ifs with its arguments as an architect would write it: `bezier3(t: 23/50)`.
-fn instance_name(hir: &Hir, instance: &Instance) -> String {
-    let item = hir.item(instance.ifs);
-    let ItemKind::Ifs(ifs) = &item.kind else { return item.name.clone() };
-    if ifs.parameters.is_empty() {
-        return item.name.clone();
-    }
-    let arguments = ifs.parameters.iter().zip(&instance.arguments).map(|(parameter, value)| {
-        let value = match value {
-            Value::Scalar(scalar) => match scalar.to_rational() {
-                Some(exact) if parameter.ty == Type::NUMBER || parameter.ty == Type::Int => exact.to_string(),
-                _ => words(scalar, &parameter.ty),
-            },
-            Value::Bool(truth) => truth.to_string(),
-            Value::Text(text) => format!("{text:?}"),
-            _ => "…".to_owned(),
-        };
-        format!("{}: {value}", parameter.name)
-    });
-    format!("{}({})", item.name, arguments.collect::<Vec<_>>().join(", "))
 }
