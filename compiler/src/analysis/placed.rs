@@ -23,7 +23,8 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
             let basis = basis(plan.automaton(), *state, *level);
             let points: Vec<DVec3> =
                 curve_points(&basis, points).into_iter().map(DVec3::from_array).collect();
-            points.iter().all(|point| point.is_finite()).then_some(FigureGeometry::Curve(points))
+            let near = |point: &DVec3| point.abs().max_element() <= LARGEST_COORDINATE && point.is_finite();
+            points.iter().all(near).then_some(FigureGeometry::Curve(points))
         }
         Shape::Sheet(sheet) => {
             let evaluator = SheetEvaluator::new(plan.automaton(), sheet);

@@ -86,8 +86,17 @@ pub(super) fn perturbation(
         Some(_) => Pin::Boundary,
         None => default.pin,
     };
-    let iterations =
-        number("iterations", f64::from(default.iterations)).clamp(0.0, f64::from(u32::MAX)) as u32;
+    // An error names its parameter in backticks; it stands at that one where it was given.
+    let refused = |why: &str| {
+        let named =
+            why.split('`').nth(1).and_then(|name| find(if name == "move_length" { "move" } else { name }));
+        wrong(named.map_or(span, |(_, _, place)| *place), why)
+    };
+    let iterations = number("iterations", f64::from(default.iterations));
+    if iterations < 0.0 {
+        return Err(refused(&format!("`iterations` is a number of steps, 0 or more, but is {iterations}")));
+    }
+    let iterations = iterations.min(f64::from(u32::MAX)) as u32;
     let given = Perturbation {
         worst: number("worst", default.worst),
         average: number("average", default.average),

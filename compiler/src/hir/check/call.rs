@@ -4,7 +4,7 @@ use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::schema::SchemaKind;
-use crate::hir::tree::{Expr, ExprKind, ItemId, ItemKind, SettingValue};
+use crate::hir::tree::{Expr, ExprKind, ItemId, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
@@ -207,6 +207,9 @@ impl Checker<'_> {
             _ => (None, false),
         };
         let Some(id) = record else {
+            if base.ty.is_figure() && name.text == "boards" {
+                return self.later(&name.text, name.span);
+            }
             let ty = self.described(&base.ty);
             let message = format!("{ty} has no fields");
             let mut diagnostic =

@@ -61,9 +61,13 @@ impl Checker<'_> {
 
     fn fabricated_figure(&mut self, block: &ast::Fabricate) -> Option<ItemId> {
         let name = &block.figure;
-        let Some(Symbol::Item(id)) = self.symbol(0, &name.text, name.span) else {
-            self.unknown(&Frame::new(0), &name.text, name.span, "figure");
-            return None;
+        let id = match self.symbol(0, &name.text, name.span) {
+            Some(Symbol::Item(id)) => id,
+            Some(Symbol::Lost) => return None,
+            _ => {
+                self.unknown(&Frame::new(0), &name.text, name.span, "figure");
+                return None;
+            }
         };
         if !matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Figure(_)) {
             let message = format!("`{}` is not a figure", name.text);
@@ -92,17 +96,25 @@ impl Checker<'_> {
                 |entry| matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name),
             )
         };
-        for setting in kind.settings().iter().filter(|setting| setting.required && !given(setting.name)) {
-            let message = format!("{} need `{}`", kind.name(), setting.name);
-            let diagnostic = Diagnostic::new(Code::E0403, block.kind.span, message)
-                .label(format!("no `{}`", setting.name));
-            self.report(diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc)));
+        let settings = kind.settings();
+        // A misspelt setting is reported as such, not as missing too.
+        let meant = |name: &str| {
+            let known = settings.iter().map(|setting| setting.name);
+            block.entries.iter().any(|entry| match &entry.kind {
+                ast::EntryKind::Setting(setting, _) => closest(&setting.text, known.clone()) == Some(name),
+                _ => false,
+            })
+        };
+        let absent = |name: &str| !given(name) && !meant(name);
+        let missing: Vec<_> =
+            settings.iter().filter(|setting| setting.required && absent(setting.name)).collect();
+        if missing.is_empty() {
+            return;
         }
         let names: Vec<String> = missing.iter().map(|setting| format!("`{}`", setting.name)).collect();
-        let at = Span { start: span.start, end: block.kind.span.end, ..span };
-        let message = format!("a block of {} needs {}", kind.name(), names.join(" and "));
-        let mut diagnostic =
-            Diagnostic::new(Code::E0403, at, message).label(format!("no {}", names.join(", no ")));
+        let message = format!("{} need {}", kind.name(), names.join(" and "));
+        let mut diagnostic = Diagnostic::new(Code::E0403, block.kind.span, message)
+            .label(format!("no {}", names.join(", no ")));
         for setting in missing {
             diagnostic = diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc));
         }

@@ -25,7 +25,11 @@ impl Checker<'_> {
             let symbol = scope.public.get(name).filter(|_| !scope.name.is_empty())?;
             Some((scope.name, *symbol))
         })?;
-        if owner != "prelude" && module == 0 && self.not_imported.insert(name.to_owned()) {
+        if owner != "prelude"
+            && module == 0
+            && !self.modules[module].broken_use
+            && self.not_imported.insert(name.to_owned())
+        {
             let message = format!("`{name}` is used without being imported");
             let diagnostic =
                 Diagnostic::new(Code::W0308, span, message).label(format!("found in `std.{owner}`"));
@@ -76,15 +80,9 @@ impl Checker<'_> {
 
     /// `keyword` is what would declare it: `let`, `fn`, `figure`.
     pub(super) fn unknown(&mut self, frame: &Frame, name: &str, span: Span, keyword: &str) -> Expr {
-        let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
-        let scope = &self.modules[frame.module];
-        known.extend(scope.own.keys().copied());
-        known.extend(scope.imports.keys().copied());
-        known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
         let mut diagnostic =
             Diagnostic::new(Code::E0301, span, format!("there is no `{name}`")).label("not known here");
-        if let Some(candidate) = closest(name, known.iter().copied()) {
-            let candidate = candidate.to_owned();
+        if let Some(candidate) = self.nearest_value(frame, name) {
             // What was meant is not unused.
             if let Some(import) = self.modules[frame.module].imports.get_mut(candidate.as_str()) {
                 import.used = true;
@@ -113,11 +111,6 @@ impl Checker<'_> {
         known.extend(scope.imports.keys().copied());
         known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
         closest(name, known).map(str::to_owned)
-    }
-
-    /// Whether an item is already known to be wrong, or is still being worked out.
-    pub(super) fn is_broken(&self, id: ItemId) -> bool {
-        matches!(self.items[id.0 as usize].kind, ItemKind::Broken)
     }
 
     fn item_value(&mut self, id: ItemId, span: Span) -> Expr {

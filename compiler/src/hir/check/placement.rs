@@ -20,7 +20,11 @@ impl Checker<'_> {
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
                 let points: Vec<Expr> =
-                    points.iter().map(|value| self.expect(frame, value, &point)).collect();
+                    points.iter().map(|value| self.expr(frame, value, Some(&point))).collect();
+                if let Some(list) = points.iter().find(|value| matches!(value.ty, Type::List(_))) {
+                    return self.list_in_brackets(list, points.len(), span);
+                }
+                let points: Vec<Expr> = points.into_iter().map(|value| self.convert(value, &point)).collect();
                 self.count_points(&ifs, points.len(), *at);
                 let ty = Type::List(Box::new(point));
                 (Expr { kind: ExprKind::List(points), ty, span: *at }, *at)
@@ -40,7 +44,7 @@ impl Checker<'_> {
     }
 
     fn list_in_brackets(&mut self, list: &Expr, count: usize, span: Span) -> Expr {
-        let name = self.type_in_words(&list.ty);
+        let name = self.described(&list.ty);
         let message = format!("in brackets after `on` stand points one by one, but this is {name}");
         let diagnostic = Diagnostic::new(Code::E0401, list.span, message).label("a whole list");
         self.report(diagnostic.hint(match count {

@@ -122,6 +122,7 @@ impl<'a> Checker<'a> {
         for item in &ast.items {
             let ast::ItemKind::Use(import) = &item.kind else { continue };
             let Some(from) = self.find_module(&import.module) else {
+                self.modules[module].broken_use |= import.names.is_empty();
                 for name in &import.names {
                     self.lost(module, name);
                 }
@@ -168,15 +169,6 @@ impl<'a> Checker<'a> {
         }
         let import = Import { symbol, span: name.span, used: false };
         self.modules[module].imports.insert(&name.text, import);
-    }
-
-    /// Notes a name whose import failed, so that its uses are not reported too.
-    fn missing_import(&mut self, module: usize, name: &'a ast::Name) {
-        let scope = &mut self.modules[module];
-        if !scope.own.contains_key(name.text.as_str()) {
-            let import = Import { symbol: Symbol::Missing, span: name.span, used: true };
-            scope.imports.entry(&name.text).or_insert(import);
-        }
     }
 
     fn no_such_export(&mut self, from: usize, name: &ast::Name) {

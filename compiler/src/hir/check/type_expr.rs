@@ -1,7 +1,6 @@
 //! Types as written, and types in words.
 
 use super::Checker;
-use super::convert::article;
 use super::scope::Symbol;
 use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::dimension::Dimension;
