@@ -4,7 +4,7 @@ use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::schema::SchemaKind;
-use crate::hir::tree::{Expr, ExprKind, ItemId, ItemKind, SettingValue};
+use crate::hir::tree::{Expr, ExprKind, ItemId, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
