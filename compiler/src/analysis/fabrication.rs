@@ -365,7 +365,10 @@ impl Work<'_> {
                 made.refused.extend(done.refused);
             }
             Err(error @ PlankError::NoSection { what, .. }) => {
-                let setting = if matches!(what, "gap" | "stock") { what } else { "section" };
+                let given = ["gap", "stock"]
+                    .into_iter()
+                    .find(|setting| what.starts_with(setting) || what.ends_with(setting));
+                let setting = given.unwrap_or("section");
                 self.refuse(setting, &error.to_string());
                 return None;
             }

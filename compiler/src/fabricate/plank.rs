@@ -176,11 +176,9 @@ impl fmt::Display for PlankError {
             Self::NotPlanar { deviation } => {
                 write!(out, "planks need a curve in one plane; a point lies {deviation:.3}mm off it")
             }
-            Self::NoSection { what: "gap", value } => {
-                write!(out, "the gap is not below 0mm, but here it is {value}mm")
-            }
             Self::NoSection { what, value } => {
-                write!(out, "the {what} is above 0mm, but here it is {value}mm")
+                let least = if what.starts_with("gap") { "is 0mm or more" } else { "is above 0mm" };
+                write!(out, "the {what} {least}, but here it is {value}mm")
             }
             Self::WrongLabelCount { segments, labels } => {
                 write!(out, "{labels} labels for {segments} segments")

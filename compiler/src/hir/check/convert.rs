@@ -58,7 +58,13 @@ impl Checker<'_> {
     }
 
     fn mismatch(&mut self, value: &Expr, expected: &Type) {
-        let (from, to) = (self.described(&value.ty), self.described(expected));
+        let (mut from, to) = (self.described(&value.ty), self.described(expected));
+        let plain = value.ty.dimension() == Some(Dimension::NUMBER);
+        if plain && expected.dimension().is_some_and(|dimension| dimension != Dimension::NUMBER) {
+            from = "a number without a unit".to_owned();
+        } else if plain && *expected == Type::Int {
+            from = "a number that may have decimals".to_owned();
+        }
         let message = format!("{to} is needed, but this is {from}");
         let mut diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(from);
         if let ExprKind::Global(id) = value.kind {

@@ -80,7 +80,7 @@ impl Checker<'_> {
             PointSpace::Any => format!("a {what}"),
         };
         match ty {
-            Type::Int => "a whole number without a unit".to_owned(),
+            Type::Int => "a whole number".to_owned(),
             Type::Quantity(Dimension::NUMBER) => "a number without a unit".to_owned(),
             Type::Bool => "true or false".to_owned(),
             Type::Point(space) => of("point", space),
