@@ -54,11 +54,17 @@ impl Analysis {
         self.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error)
     }
 
-    /// The name of the design: that of its file without ending.
+    /// The name of the design: that of its file without ending; `stdin` for the standard input, `design` for a file
+    /// whose name is all ending or full stops.
     pub fn design_name(&self) -> String {
         let path = self.sources.get(self.root).map_or("", |source| source.path.as_str());
         let file = path.rsplit('/').next().unwrap_or(path);
-        file.strip_suffix(".ifs").unwrap_or(file).to_owned()
+        match file.strip_suffix(".ifs").unwrap_or(file) {
+            "-" if path == "-" => "stdin".to_owned(),
+            // Such names would make the output folder the one it should lie in.
+            "" | "." | ".." => "design".to_owned(),
+            name => name.to_owned(),
+        }
     }
 }
 
@@ -105,7 +111,8 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         analysis.plan = evaluated.plan;
         analysis.fabrications = evaluated.fabrications;
     }
-    analysis.diagnostics = diagnostics.finish();
+    // Of a text that is not there, or not whole, nothing else can be said.
+    analysis.diagnostics = if unreadable.is_empty() { diagnostics.finish() } else { unreadable };
     analysis
 }
 
