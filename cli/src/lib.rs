@@ -25,7 +25,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     };
     match &cli.command {
         Command::Check(check) => commands::check::check(check, cli.message_format),
-        Command::Build(_) => Exit::Usage,
+        Command::Build(build) => commands::build::build(build, cli.message_format),
         Command::Explain(explain) => commands::explain::explain(explain),
     }
 }

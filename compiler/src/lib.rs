@@ -6,11 +6,14 @@
 pub mod analysis;
 pub mod diagnostic;
 pub mod exact;
+pub mod export;
 pub mod fabricate;
 pub mod geometry;
 pub mod hir;
 pub mod ifs;
+pub mod outputs;
 pub mod plan;
 pub mod planarize;
+pub mod readback;
 pub mod source;
 pub mod syntax;

@@ -1,7 +1,9 @@
 //! The commands, one file each, and what they share: telling diagnostics.
 
+pub mod build;
 pub mod check;
 pub mod explain;
+mod table;
 mod tell;
 
 pub use tell::{Told, tell};

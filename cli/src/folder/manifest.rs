@@ -9,7 +9,8 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::FolderError;
-use super::names::{MANIFEST, check_relative, hex};
+use super::names::{MANIFEST, check_relative};
+use ifs_compiler::outputs::names::hex;
 
 /// The version of the manifest's shape; it grows when a reader of the older shape would misread the newer.
 const SCHEMA: u32 = 1;

@@ -27,7 +27,6 @@ use std::path::Path;
 
 pub use error::FolderError;
 pub use manifest::{FileRecord, Manifest, Provenance, SourceRecord, verify};
-pub use names::safe_file_name;
 pub use replace::Exchange;
 pub use staging::{Committed, Staging};
 

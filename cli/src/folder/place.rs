@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 use super::FolderError;
-use super::names::hex;
+use ifs_compiler::outputs::names::hex;
 
 /// The target and its companions, all in one folder and so on one file system.
 #[derive(Debug, Clone)]

@@ -9,7 +9,8 @@ use sha2::{Digest, Sha256};
 
 use super::lock::Lock;
 use super::manifest::{FileRecord, Manifest, Provenance};
-use super::names::{MANIFEST, check_relative, check_source, hex};
+use super::names::{MANIFEST, check_relative, check_source};
+use ifs_compiler::outputs::names::hex;
 use super::place::Place;
 use super::replace::{self, Exchange};
 use super::{FolderError, foreign};

@@ -22,6 +22,7 @@ use crate::hir::{Checked, ModuleSource, check};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
 use crate::syntax::Parse;
+use std::collections::BTreeSet;
 
 /// Everything that is known of a design.
 #[derive(Debug)]
@@ -36,6 +37,8 @@ pub struct Analysis {
     pub hir: Hir,
     /// Its parameters as they are used.
     pub parameters: Vec<ParameterValue>,
+    /// The names of those that were set from outside.
+    pub set_parameters: BTreeSet<String>,
     /// Its plan; none where it has errors.
     pub plan: Option<Lowered>,
     /// What its fabricate blocks make; empty where it has errors.
@@ -86,12 +89,15 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         parse: loaded.parse,
         hir,
         parameters: Vec::new(),
+        set_parameters: overrides.parameters.keys().cloned().collect(),
         plan: None,
         fabrications: Vec::new(),
         diagnostics: Vec::new(),
     };
-    // A design with errors is not worked out: what it means is not known.
-    if !diagnostics.has_errors() {
+    // A design with errors is not worked out: what it means is not known. But each ifs stands for itself.
+    if diagnostics.has_errors() {
+        diagnostics.extend(check_weights(&analysis.hir, overrides));
+    } else {
         let evaluated = evaluate(&analysis.hir, overrides, true);
         diagnostics.extend(evaluated.diagnostics);
         analysis.parameters = evaluated.parameters;
@@ -137,6 +143,15 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
     }
     evaluated.diagnostics.extend(diagnostics.finish());
     evaluated
+}
+
+/// Checks the weights of every ifs of the design for all values of its parameters.
+fn check_weights(hir: &Hir, overrides: &Overrides) -> Vec<Diagnostic> {
+    let mut evaluator = Evaluator::new(hir, overrides);
+    for (id, _) in hir.own_items() {
+        evaluator.check_symbolically(id);
+    }
+    evaluator.finish()
 }
 
 fn parameters(hir: &Hir, evaluator: &mut Evaluator<'_>) -> Vec<ParameterValue> {

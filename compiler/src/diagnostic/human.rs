@@ -44,9 +44,9 @@ pub fn render_human(diagnostic: &Diagnostic, sources: &SourceMap, style: HumanSt
         .with_index_type(IndexType::Byte)
         .with_tab_width(4);
     let at = clamp(source, diagnostic.span);
-    let label = Label::new(at.clone()).with_color(color).with_priority(1);
-    // A label without words would not be underlined.
-    let label = label.with_message(if diagnostic.label.is_empty() { "here" } else { &diagnostic.label });
+    // A place without a word about it would not be marked at all.
+    let said = if diagnostic.label.is_empty() { "here" } else { &diagnostic.label };
+    let label = Label::new(at.clone()).with_message(said).with_color(color).with_priority(1);
     let mut report = Report::build(kind, at)
         .with_code(diagnostic.code.name())
         .with_message(&diagnostic.message)

@@ -80,7 +80,9 @@ impl Grid {
                 quads.push([index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)]);
             }
         }
-        QuadMesh::try_new(self.points.clone(), quads)
+        MeshError::check_points(&self.points)?;
+        // Every edge of a grid lies between at most two of its quads, so the sorting check of edges is not needed.
+        Ok(QuadMesh { vertices: self.points.clone(), quads })
     }
 }
 

@@ -134,7 +134,7 @@ pub(super) fn begins_item(lexemes: &[Placed<'_>], at: usize) -> bool {
     let Some((lexeme, _)) = lexemes.get(at).filter(|(lexeme, _)| lexeme.kind.is_item_keyword()) else {
         return false;
     };
-    if at > 0 && lexemes[at - 1].0.kind == TokenKind::Pub {
+    if at > 0 && lexemes[at - 1].0.kind == TokenKind::Pub && lexeme.kind != TokenKind::Pub {
         return false;
     }
     let Some((next, _)) = lexemes.get(at + 1) else { return lexeme.indent.is_some() };

@@ -19,6 +19,8 @@ pub const MAX_DIAGNOSTICS: usize = 1000;
 #[derive(Debug, Default)]
 pub(super) struct Said {
     found: Vec<Diagnostic>,
+    /// How many lexemes the grammar has read, those it read again included: shows that the work stays linear.
+    pub(super) steps: usize,
 }
 
 impl Said {

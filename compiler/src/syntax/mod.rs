@@ -33,8 +33,13 @@ pub struct Parse {
 
 /// Parses a text. Never fails; a good item is in the tree whatever stands around it.
 pub fn parse(source: &Source) -> Parse {
+    counted(source).0
+}
+
+/// Parses a text, and counts the lexemes the grammar has read for it.
+fn counted(source: &Source) -> (Parse, usize) {
     if source.text.len() > MAX_BYTES {
-        return too_large(source);
+        return (too_large(source), 0);
     }
     let mut said = Said::default();
     let lexed = lexer::lex(source, &mut said);
@@ -45,9 +50,10 @@ pub fn parse(source: &Source) -> Parse {
     let items = parser::parse_items(&lexemes, repair::items(&lexemes), &mut said);
     let mut ast = ast::File { docs: Vec::new(), items };
     docs::attach(source, &lexed.tokens, &mut ast, &mut said);
+    let steps = said.steps;
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(said.into_vec());
-    Parse { ast, tokens: lexed.tokens, diagnostics: diagnostics.finish() }
+    (Parse { ast, tokens: lexed.tokens, diagnostics: diagnostics.finish() }, steps)
 }
 
 /// A file that is not read: one token, no items, one diagnostic.

@@ -50,13 +50,17 @@ struct Closest {
 /// The joint of `other` that comes nearest to a joint of `curve`, measured along `curve`.
 fn closest(curve: Curve<'_>, other: Curve<'_>) -> Option<Closest> {
     let stations = stations(curve.points);
+    let joints = stations.get(1..stations.len().saturating_sub(1)).unwrap_or_default();
     let mut found: Option<Closest> = None;
     for (carried, &point) in interior(other.points) {
         let at = station_of_nearest(curve.points, &stations, point);
-        for (joint, _) in interior(curve.points) {
-            let distance = (stations[joint] - at).abs();
+        // Stations ascend: the nearest joint is the last before or the first after.
+        let after = joints.partition_point(|&station| station < at);
+        for joint in [after.checked_sub(1), Some(after)].into_iter().flatten() {
+            let Some(station) = joints.get(joint) else { continue };
+            let distance = (station - at).abs();
             if found.is_none_or(|found| distance < found.distance) {
-                found = Some(Closest { joints: [joint, carried], distance });
+                found = Some(Closest { joints: [joint + 1, carried], distance });
             }
         }
     }
@@ -169,6 +173,17 @@ mod tests {
         assert_eq!((found.total, found.failing, found.extremes), (1, 1, Some((50.0, 50.0))));
         assert_eq!(found.measured[0].address, "vault.0.2");
         assert_eq!(found.measured[0].place, "between vault.0.2 and vault.1.2");
+    }
+
+    #[test]
+    fn joints_beyond_the_other_curve_are_carried_to_its_end() {
+        let arches = [
+            [0.0, 100.0, 200.0].map(|x| DVec3::new(x, 0.0, 0.0)).to_vec(),
+            [-300.0, -200.0, 500.0].map(|x| DVec3::new(x, 27.0, 0.0)).to_vec(),
+        ];
+        assert_eq!(measure(&arches, Limit::AtLeast(80.0)).extremes, Some((100.0, 100.0)));
+        let mirrored = arches.map(|points| points.into_iter().map(|point| -point).collect::<Vec<_>>());
+        assert_eq!(measure(&mirrored, Limit::AtLeast(80.0)).extremes, Some((100.0, 100.0)));
     }
 
     #[test]

@@ -3,8 +3,6 @@
 
 mod number;
 mod strange;
-#[cfg(test)]
-mod tests;
 pub(super) mod text;
 
 use super::limits::Said;

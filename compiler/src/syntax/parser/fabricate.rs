@@ -39,7 +39,7 @@ pub(super) fn fabricate<'s>(expressions: &Expressions<'s>) -> Rule<'s, Fabricate
         .ignore_then(name())
         .then_ignore(word("as", Expected::As))
         .then(name())
-        .then(block(entry(expressions), Stop::Entry, failed))
+        .then(block(entry(expressions), Stop::Entry, failed, Expected::OpenBrace))
         .map(|((figure, kind), entries)| Fabricate { figure, kind, entries })
         .boxed()
 }

@@ -6,12 +6,14 @@ use super::items::{item_token, text};
 use super::level::range;
 use super::names::{Case, declared};
 use super::node::Node;
-use super::primitive::{token, word};
-use super::recovery::{Stop, finished};
+use super::primitive::{ahead, token, word};
+use super::recovery::{Stop, finished, skip};
 use super::sequence::{block, parenthesized};
 use super::types::written_type;
 use super::{Extra, Rule, Tokens};
-use crate::syntax::ast::{Expr, Field, Figure, Function, Let, Param, Record, Test, TestStep, TypeExpr};
+use crate::syntax::ast::{
+    Expr, Field, Figure, Function, Let, Param, Record, Test, TestStep, TypeExpr, TypeExprKind,
+};
 use crate::syntax::token::TokenKind;
 use chumsky::prelude::*;
 
@@ -24,12 +26,11 @@ pub(super) fn param<'s>(expressions: &Expressions<'s>) -> Rule<'s, Param> {
     let step = word("step", Expected::Step).ignore_then(expressions.finished(Stop::Item));
     item_token(TokenKind::Param)
         .ignore_then(declared(Case::Snake))
-        .then(type_after_colon())
-        .then_ignore(token(TokenKind::Equals))
-        .then(expressions.whole.clone())
+        .then(type_after_colon(Stop::Type))
+        .then(value_after_equals(expressions, Stop::Param))
         .then(range.or_not())
         .then(step.or_not())
-        .map(|((((name, ty), default), range), step)| Param { name, ty, default: default.expr, range, step })
+        .map(|((((name, ty), default), range), step)| Param { name, ty, default, range, step })
         .boxed()
 }
 
@@ -43,7 +44,7 @@ pub(super) fn named_value<'s>(expressions: &Expressions<'s>, stop: Stop) -> Rule
     token(TokenKind::Let)
         .labelled(expected)
         .ignore_then(declared(Case::Snake))
-        .then(type_after_colon().or_not())
+        .then(optional_type())
         .then(value_after_equals(expressions, stop))
         .map(|((name, ty), value)| Let { name, ty, value })
         .boxed()
@@ -63,7 +64,7 @@ pub(super) fn function<'s>(expressions: &Expressions<'s>) -> Rule<'s, Function> 
 
 /// `(i: Int, w: Length = 1m)`
 pub(super) fn parameters<'s>(expressions: &Expressions<'s>) -> Rule<'s, Vec<Field>> {
-    parenthesized(field(expressions, Stop::Element), |_| None)
+    parenthesized(Expected::OpenParenthesis, field(expressions, Stop::Element), |_| None)
         .map(|fields| fields.into_iter().flatten().collect())
         .boxed()
 }
@@ -75,7 +76,7 @@ fn field<'s>(
 ) -> impl Parser<'s, Tokens<'s>, Option<Field>, Extra<'s>> + Clone + use<'s> {
     let default = token(TokenKind::Equals).ignore_then(expressions.finished(stop)).or_not();
     declared(Case::Snake)
-        .then(type_after_colon())
+        .then(type_after_colon(Stop::Type))
         .then(default)
         .map(|((name, ty), default)| Some(Field { docs: Vec::new(), name, ty, default }))
 }
@@ -84,7 +85,7 @@ fn field<'s>(
 pub(super) fn record<'s>(expressions: &Expressions<'s>) -> Rule<'s, Record> {
     item_token(TokenKind::Record)
         .ignore_then(declared(Case::Camel))
-        .then(block(field(expressions, Stop::Entry), Stop::Entry, |_| None))
+        .then(block(field(expressions, Stop::Entry), Stop::Entry, |_| None, Expected::OpenBrace))
         .map(|(name, fields)| Record { name, fields: fields.into_iter().flatten().collect() })
         .boxed()
 }
@@ -93,7 +94,7 @@ pub(super) fn record<'s>(expressions: &Expressions<'s>) -> Rule<'s, Record> {
 pub(super) fn figure<'s>(expressions: &Expressions<'s>) -> Rule<'s, Figure> {
     item_token(TokenKind::Figure)
         .ignore_then(declared(Case::Snake))
-        .then(type_after_colon().or_not())
+        .then(optional_type())
         .then(value_after_equals(expressions, Stop::Item))
         .map(|((name, ty), value)| Figure { name, ty, value })
         .boxed()
@@ -107,14 +108,21 @@ pub(super) fn test<'s>(expressions: &Expressions<'s>) -> Rule<'s, Test> {
         .map_with(|condition, e| TestStep::Assert(condition, e.span()));
     item_token(TokenKind::Test)
         .ignore_then(text(Expected::Text))
-        .then(block(binding.or(assert), Stop::Step, TestStep::Error))
+        .then(block(binding.or(assert), Stop::Step, TestStep::Error, Expected::OpenBrace))
         .map(|(name, steps)| Test { name, steps })
         .boxed()
 }
 
-/// `: Length`; what is no type is an error of its own.
-fn type_after_colon<'s>() -> Rule<'s, TypeExpr> {
-    token(TokenKind::Colon).ignore_then(written_type()).boxed()
+/// `: Length`, which must be there. What is no type leaves an error node.
+fn type_after_colon<'s>(stop: Stop) -> Rule<'s, TypeExpr> {
+    let failed = skip(stop, false).map(|span| TypeExpr { span, kind: TypeExprKind::Error });
+    token(TokenKind::Colon).ignore_then(written_type()).recover_with(via_parser(failed)).boxed()
+}
+
+/// `: Length`, or nothing.
+fn optional_type<'s>() -> Rule<'s, Option<TypeExpr>> {
+    let colon = ahead(&[Expected::Colon], |next| next.is_some_and(|next| next.kind == TokenKind::Colon));
+    colon.ignore_then(type_after_colon(Stop::Type)).or_not().boxed()
 }
 
 /// `= value` up to `stop`. A value that is missing or wrong leaves an error node, and the name before it stays.

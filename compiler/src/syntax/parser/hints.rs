@@ -5,7 +5,7 @@ use super::message::Scene;
 use crate::diagnostic::{Diagnostic, closest};
 use crate::source::Span;
 use crate::syntax::ast::Unit;
-use crate::syntax::lexeme::{Lexeme, MEMBER_WORDS};
+use crate::syntax::lexeme::{Lexeme, MEMBER_WORDS, Role};
 use crate::syntax::token::TokenKind;
 
 /// Words of other languages, and the keyword that does it here.
@@ -42,6 +42,8 @@ pub(super) fn add(diagnostic: Diagnostic, scene: &Scene<'_>) -> Diagnostic {
         reserved,
         number_point,
         conditions,
+        lone_label,
+        missing_part,
         missing_sign,
         habits,
     ];
@@ -191,7 +193,7 @@ fn missing_sign(scene: &Scene<'_>) -> Option<Way> {
         found.kind,
         Number(_) | Text | Name | True | False | Itself | OpenBracket | OpenParenthesis | Minus
     );
-    let insert = |text: &str, sign: &str| change(format!("{text} `{sign}`"), before.after(), sign);
+    let insert = |text: &str, sign: &str| change(format!("{text} `{}`", sign.trim()), before.after(), sign);
     if has(Expected::Equals)
         && found.kind == OpenBrace
         && (has(Expected::Arrow) || kind(scene.before) != Some(Name))
@@ -217,6 +219,39 @@ fn missing_sign(scene: &Scene<'_>) -> Option<Way> {
         return insert("elements are separated by", ",");
     }
     None
+}
+
+/// A part of a form that is not there.
+fn missing_part(scene: &Scene<'_>) -> Option<Way> {
+    let has = |one: Expected| scene.miss.has(one);
+    let found = kind(scene.found);
+    let after_file = kind(scene.before) == Some(TokenKind::Text);
+    if has(Expected::OpenParenthesis) && (has(Expected::Dot) || after_file) {
+        return say("name what is used, in brackets: `use std.curves (bezier3)`");
+    }
+    if has(Expected::Colon) && matches!(found, Some(TokenKind::Comma | TokenKind::CloseParenthesis)) {
+        return say("each parameter has a type: `a: Length`");
+    }
+    if has(Expected::Comparison) {
+        return say("a limit is written `<= 600mm`, or `in 150mm .. 1200mm`");
+    }
+    if has(Expected::In) && !has(Expected::Space) {
+        return say("a name runs over a range or a list with `in`: `i in 0..7`");
+    }
+    None
+}
+
+/// `(a: 1)` without what is called.
+fn lone_label(scene: &Scene<'_>) -> Option<Way> {
+    let (found, _) = scene.found.filter(|(found, _)| found.role == Role::Label)?;
+    let after = matches!(kind(scene.before), Some(TokenKind::OpenParenthesis | TokenKind::Comma));
+    if !after || !scene.miss.has(Expected::Value) {
+        return None;
+    }
+    say(format!(
+        "an argument with a name, like `{}:`, belongs to a call: `name({}: …)`",
+        found.text, found.text
+    ))
 }
 
 /// Other habits.

@@ -21,7 +21,7 @@ pub(super) fn ifs<'s>(expressions: &Expressions<'s>) -> Rule<'s, Ifs> {
         .ignore_then(declared(Case::Snake))
         .then(parameters(expressions).or_not())
         .then(space())
-        .then(block(member(expressions), Stop::Member, failed))
+        .then(block(member(expressions), Stop::Member, failed, Expected::OpenBrace))
         .map(|(((name, parameters), space), members)| Ifs {
             name,
             parameters: parameters.unwrap_or_default(),
@@ -34,7 +34,7 @@ pub(super) fn ifs<'s>(expressions: &Expressions<'s>) -> Rule<'s, Ifs> {
 /// `on (p0, p1)`, `in plane`, `in space`
 fn space<'s>() -> Rule<'s, Space> {
     let nowhere = |span| Name { text: String::new(), span };
-    let points = parenthesized(declared(Case::Snake), nowhere)
+    let points = parenthesized(Expected::OpenParenthesis, declared(Case::Snake), nowhere)
         .map(|names| names.into_iter().filter(|name: &Name| !name.text.is_empty()).collect())
         .map_with(|names, e| Space::On(names, e.span()));
     let on = token(TokenKind::On).labelled(Expected::Space).ignore_then(points);

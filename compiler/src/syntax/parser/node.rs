@@ -55,12 +55,9 @@ impl Node {
     /// An expression made of parts; an error where it would be too deep.
     pub(super) fn made(span: Span, kind: ExprKind, parts: Depth, progress: &mut Progress) -> Node {
         if parts.0 >= MAX_DEPTH {
-            let message = format!("this expression is nested more than {MAX_DEPTH} deep");
-            progress.said.push(
-                Diagnostic::new(Code::E0107, span, message)
-                    .note("every operator of a chain counts, and every bracket")
-                    .hint("give a part of it a name with `let`, or add up a list"),
-            );
+            if progress.said.iter().all(|said| said.code != Code::E0107) {
+                progress.said.push(too_deep(span));
+            }
             return Node::error(span);
         }
         Node { expr: Expr { span, kind }, depth: parts.0 + 1 }
@@ -75,6 +72,12 @@ impl Node {
     pub(super) fn is_error(&self) -> bool {
         self.expr.kind == ExprKind::Error
     }
+}
+
+fn too_deep(span: Span) -> Diagnostic {
+    Diagnostic::new(Code::E0107, span, format!("this expression is nested more than {MAX_DEPTH} deep"))
+        .note("every operator of a chain counts, and every bracket")
+        .hint("give a part of it a name with `let`")
 }
 
 /// The expressions of nodes.

@@ -26,6 +26,10 @@ pub(super) enum Stop {
     ListElement,
     /// At a `for` or an `if`.
     Clause,
+    /// At the range or the step of a parameter.
+    Param,
+    /// At what follows a type.
+    Type,
 }
 
 impl Stop {
@@ -40,6 +44,8 @@ impl Stop {
             Stop::Element => kind == TokenKind::Comma,
             Stop::ListElement => matches!(kind, TokenKind::Comma | TokenKind::For),
             Stop::Clause => matches!(kind, TokenKind::For | TokenKind::If),
+            Stop::Param => kind == TokenKind::In || next.is_word("step"),
+            Stop::Type => matches!(kind, TokenKind::Equals | TokenKind::Comma) || next.role == Role::Label,
         }
     }
 
@@ -62,6 +68,8 @@ impl Stop {
             Stop::Element => &[Expected::Comma],
             Stop::ListElement => &[Expected::Comma, Expected::For],
             Stop::Clause => &[Expected::For],
+            Stop::Param => &[Expected::Range, Expected::Step, Expected::NextItem],
+            Stop::Type => &[Expected::Equals],
         }
     }
 }

@@ -5,7 +5,7 @@ use super::names::{field_name, label, name};
 use super::node::{ArgumentNode, Depth, Node, arguments, expressions};
 use super::primitive::{Small, lexeme, not_closer, token};
 use super::recovery::{Stop, finished};
-use super::sequence::{block, elements, parenthesized};
+use super::sequence::{block, elements, opening, parenthesized};
 use super::{Extra, Progress, Rule, Tokens};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::source::Span;
@@ -19,7 +19,7 @@ use chumsky::prelude::*;
 
 /// One operand with its calls, fields and indices. `inner` is a whole expression.
 pub(super) fn operand<'s>(inner: Rule<'s, Node>) -> Rule<'s, Node> {
-    let fields = block(given_field(inner.clone()), Stop::Entry, failed_argument);
+    let fields = block(given_field(inner.clone()), Stop::Entry, failed_argument, Expected::Value);
     let fields = fields.map_with(|fields, e| {
         let depth = depth_of(&fields);
         Node::made(e.span(), ExprKind::Fields(arguments(fields)), depth, e.state())
@@ -55,9 +55,13 @@ fn number(text: &str, unit: Option<Unit>) -> ExprKind {
 
 /// `(x)`, `(a, b)`
 fn bracketed<'s>(inner: Rule<'s, Node>) -> Rule<'s, Node> {
-    parenthesized(inner, Node::error)
-        .map_with(|mut parts, e| {
+    parenthesized(Expected::Value, argument(inner), failed_argument)
+        .map_with(|given, e| {
             let span = e.span();
+            if let Some(label) = given.iter().find_map(|argument| argument.name.as_ref()) {
+                e.emit(Miss::new(Expected::Value, label.span));
+            }
+            let mut parts: Vec<Node> = given.into_iter().map(|argument| argument.value).collect();
             let depth = Depth::default().with_all(&parts);
             match parts.len() {
                 0 => {
@@ -109,7 +113,7 @@ fn list<'s>(inner: Rule<'s, Node>) -> Rule<'s, Node> {
     first
         .then(rest)
         .or_not()
-        .delimited_by(token(TokenKind::OpenBracket), token(TokenKind::CloseBracket))
+        .delimited_by(opening(TokenKind::OpenBracket, Expected::Value), token(TokenKind::CloseBracket))
         .map_with(|content, e| list_node(content, e.span(), e.state()))
         .recover_with(via_parser(bracket_skipped().map(Node::error)))
         .boxed()
@@ -117,7 +121,7 @@ fn list<'s>(inner: Rule<'s, Node>) -> Rule<'s, Node> {
 
 /// A whole bracket, passed over.
 fn bracket_skipped<'s>() -> impl Parser<'s, Tokens<'s>, Span, Extra<'s>> + Clone {
-    token(TokenKind::OpenBracket)
+    opening(TokenKind::OpenBracket, Expected::Value)
         .then(super::recovery::skip(Stop::Item, false))
         .then(token(TokenKind::CloseBracket))
         .map_with(|_, e| e.span())
@@ -133,10 +137,11 @@ fn list_node(content: Option<(Node, Option<Rest>)>, span: Span, progress: &mut P
             Node::made(span, ExprKind::Comprehension { body: first.boxed(), clauses }, depth, progress)
         }
         rest => {
-            let mut all = vec![first];
-            if let Some(Rest::Elements(more)) = rest {
-                all.extend(more);
-            }
+            let mut all = match rest {
+                Some(Rest::Elements(more)) => more,
+                _ => Vec::new(),
+            };
+            all.insert(0, first);
             let depth = Depth::default().with_all(&all);
             Node::made(span, ExprKind::List(expressions(all)), depth, progress)
         }
@@ -189,15 +194,12 @@ enum Postfix {
 }
 
 fn postfix<'s>(first: Rule<'s, Node>, inner: Rule<'s, Node>) -> Rule<'s, Node> {
-    let named = label().map(Some).or(empty().map(|()| None));
-    let argument = named.then(inner.clone()).map(|(name, value)| ArgumentNode { name, value });
-    let call = parenthesized(argument, failed_argument).map(Postfix::Call);
+    let call = parenthesized(Expected::Operator, argument(inner.clone()), failed_argument).map(Postfix::Call);
     let index = elements(inner, Node::error)
-        .delimited_by(token(TokenKind::OpenBracket), token(TokenKind::CloseBracket))
+        .delimited_by(opening(TokenKind::OpenBracket, Expected::Operator), token(TokenKind::CloseBracket))
         .map(Postfix::Index);
-    let field = token(TokenKind::Dot).ignore_then(name()).map(Postfix::Field);
-    let postfix =
-        choice((call, index, field)).labelled(Expected::Operator).map_with(|found, e| (found, e.span()));
+    let field = opening(TokenKind::Dot, Expected::Operator).ignore_then(name()).map(Postfix::Field);
+    let postfix = choice((call, index, field)).map_with(|found, e| (found, e.span()));
     first
         .then(postfix.repeated().collect::<Vec<(Postfix, Span)>>())
         .map_with(|(first, rest), e| {
@@ -229,6 +231,11 @@ fn attach(left: Node, postfix: Postfix, span: Span, progress: &mut Progress) -> 
         Postfix::Field(name) => (ExprKind::Field(left.boxed(), name), depth),
     };
     Node::made(span, kind, depth, progress)
+}
+
+/// `a`, `b: c`
+fn argument<'s>(inner: Rule<'s, Node>) -> Rule<'s, ArgumentNode> {
+    label().or_not().then(inner).map(|(name, value)| ArgumentNode { name, value }).boxed()
 }
 
 /// `worst: 1`

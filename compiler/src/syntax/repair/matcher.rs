@@ -7,22 +7,31 @@ use crate::syntax::limits::{MAX_DIAGNOSTICS, MAX_NESTING};
 use crate::syntax::token::TokenKind;
 
 /// A bracket that is open.
-struct Open {
-    kind: TokenKind,
-    closer: TokenKind,
-    span: Span,
+pub(super) struct Open {
+    pub(super) kind: TokenKind,
+    pub(super) closer: TokenKind,
+    pub(super) span: Span,
+    /// Where it stands in the output.
+    pub(super) place: usize,
     /// The indent of the line it stands on.
-    indent: u32,
-    /// Whether the next line is indented deeper.
-    indented: bool,
+    pub(super) indent: u32,
+    /// Whether the next line is indented deeper, or what is inside begins on the same line.
+    pub(super) indented: bool,
 }
+
+/// How far doubt and lookahead reach, in lexemes, so that the work stays linear.
+pub(super) const FAR: usize = 500;
 
 /// A pass and its results.
 pub(super) struct Matcher<'s, 'r> {
-    region: &'r [Placed<'s>],
-    layout: bool,
-    open: Vec<Open>,
-    indent: u32,
+    pub(super) region: &'r [Placed<'s>],
+    pub(super) layout: bool,
+    pub(super) open: Vec<Open>,
+    pub(super) indent: u32,
+    /// Where the last outermost brace was closed.
+    pub(super) block_end: Option<usize>,
+    /// Whether what follows is in doubt, up to the next statement.
+    pub(super) doubt: bool,
     /// The balanced lexemes.
     pub(super) out: Vec<Placed<'s>>,
     /// What is wrong.
@@ -33,7 +42,8 @@ impl<'s, 'r> Matcher<'s, 'r> {
     /// Matches the brackets of a region. With `layout`, an unclosed bracket ends where the lines stop being indented.
     pub(super) fn run(region: &'r [Placed<'s>], layout: bool) -> Self {
         let out = Vec::with_capacity(region.len());
-        let mut pass = Matcher { region, layout, open: Vec::new(), indent: 0, out, said: Vec::new() };
+        let (open, said) = (Vec::new(), Vec::new());
+        let mut pass = Matcher { region, layout, open, indent: 0, block_end: None, doubt: false, out, said };
         let mut at = 0;
         while at < region.len() {
             at = pass.step(at);
@@ -44,32 +54,29 @@ impl<'s, 'r> Matcher<'s, 'r> {
 
     /// Takes one lexeme, or all of what is nested too deeply, and says where to go on.
     fn step(&mut self, at: usize) -> usize {
-        let (lexeme, span) = self.region[at];
+        let (mut lexeme, span) = self.region[at];
         if let Some(indent) = lexeme.indent {
             if self.layout {
                 self.end_by_layout(at, indent);
             }
             self.indent = indent;
         }
+        self.end_by_meaning(lexeme, span);
         if let Some(closer) = lexeme.kind.closer() {
             if self.open.len() >= MAX_NESTING {
                 return self.cut(at);
             }
-            let indented = self.next_line_indent(at).is_some_and(|next| next > self.indent);
-            self.open.push(Open { kind: lexeme.kind, closer, span, indent: self.indent, indented });
+            let inline = self.region.get(at + 1).is_some_and(|(next, _)| next.indent.is_none());
+            let indented = inline || self.next_line_indent(at).is_some_and(|next| next > self.indent);
+            let place = self.out.len();
+            self.open.push(Open { kind: lexeme.kind, closer, span, place, indent: self.indent, indented });
         } else if lexeme.kind.is_closer() && !self.close(at) {
             return at + 1;
         }
+        self.doubt &= !begins_statement(lexeme);
+        lexeme.suspect |= self.doubt;
         self.out.push((lexeme, span));
         at + 1
-    }
-
-    /// The indent of the line after the one `at` stands on, when only little stands between.
-    fn next_line_indent(&self, at: usize) -> Option<u32> {
-        if !self.layout {
-            return None;
-        }
-        self.region[at + 1..].iter().take(200).find_map(|(lexeme, _)| lexeme.indent)
     }
 
     /// Matches a closing bracket; `false` if it is left out or was put in another form.
@@ -78,66 +85,103 @@ impl<'s, 'r> Matcher<'s, 'r> {
         let Some(place) = self.open.iter().rposition(|open| open.closer == lexeme.kind) else {
             return self.unmatched(at);
         };
-        while self.open.len() > place + 1 {
-            if let Some(open) = self.open.pop() {
-                self.unclosed(&open, span);
-            }
+        let inner = self.open.last().is_some_and(|inner| inner.kind != TokenKind::OpenBrace);
+        let kind = self.open[place].kind;
+        if inner && place + 1 < self.open.len() && self.all_close_later(kind, lexeme.kind, at + 1) {
+            return self.wrong_closer(at);
         }
+        self.unclosed_above(place + 1, span);
         self.open.pop();
+        if self.open.is_empty() && lexeme.kind == TokenKind::CloseBrace {
+            self.block_end = Some(self.out.len());
+        }
         true
     }
 
-    /// A closing bracket of a kind that is not open: another one is meant, or none.
+    /// A closing bracket of a kind that is not open: another one is meant, or none. `true` if it may stay.
     fn unmatched(&mut self, at: usize) -> bool {
         let (lexeme, span) = self.region[at];
         let found = lexeme.kind.text().unwrap_or_default();
-        let meant = self.open.last().filter(|open| {
-            let next = self.region.get(at + 1).map(|(next, _)| next.kind);
-            open.kind != TokenKind::OpenBrace && next != Some(open.closer)
-        });
+        let meant = self.open.last().filter(|open| open.kind != TokenKind::OpenBrace);
+        if meant.is_some_and(|open| !self.all_close_later(open.kind, open.closer, at + 1)) {
+            return self.wrong_closer(at);
+        }
+        if lexeme.kind == TokenKind::CloseBrace
+            && self.open.is_empty()
+            && let Some(missing) = super::block::open(&mut self.out)
+        {
+            self.say(missing);
+            self.block_end = Some(self.out.len());
+            return true;
+        }
+        let start = self.block_end.filter(|_| lexeme.kind == TokenKind::CloseBrace);
+        self.distrust(start.unwrap_or_default(), start.is_none());
         let stray = Diagnostic::new(Code::E0203, span, format!("this `{found}` closes nothing"));
-        let Some(open) = meant else {
-            self.say(stray.fix("leave it out", span, ""));
-            self.mark_last();
-            return false;
-        };
-        let (opened, wanted) = (open.kind.text().unwrap_or_default(), open.closer);
-        let wanted_text = wanted.text().unwrap_or_default();
-        let wrong = Diagnostic::new(Code::E0203, span, format!("this `{found}` cannot close a `{opened}`"))
-            .also(open.span, format!("the `{opened}` is opened here"))
-            .fix(format!("close it with `{wanted_text}`"), span, wanted_text);
-        self.say(wrong);
-        self.open.pop();
-        self.out.push((put_in(wanted), span));
+        self.say(stray.fix("leave it out, or open it before", span, ""));
         false
     }
 
-    /// Closes the brackets which, by the indent of the line that begins at `at`, have ended.
-    fn end_by_layout(&mut self, at: usize, indent: u32) {
+    /// Puts the closing bracket that is meant in the place of the one that was written.
+    fn wrong_closer(&mut self, at: usize) -> bool {
         let (lexeme, span) = self.region[at];
-        while let Some(open) = self.open.last() {
-            let begins = lexeme.kind == TokenKind::Let
-                || lexeme.role != Role::Plain
-                || open.kind == TokenKind::OpenBrace && !lexeme.kind.is_closer();
-            let own_closer = lexeme.kind == open.closer && indent >= open.indent;
-            let others = self.open.iter().filter(|other| other.kind == open.kind).count();
-            let outer_closer = lexeme.kind == open.closer && indent < open.indent && others > 1;
-            let fits = if open.kind == TokenKind::OpenBrace { open.indented } else { !own_closer };
-            let ended = indent <= open.indent && fits && (begins && !own_closer || outer_closer);
-            let goes_on = |last: TokenKind| last == TokenKind::Comma || last.closer().is_some();
-            let fresh = self.out.last().is_some_and(|(last, _)| !goes_on(last.kind));
-            if !ended || !(fresh || open.kind == TokenKind::OpenBrace) {
-                return;
+        let Some(open) = self.open.pop() else { return false };
+        let found = lexeme.kind.text().unwrap_or_default();
+        let (opened, right) = (open.kind.text().unwrap_or_default(), open.closer.text().unwrap_or_default());
+        self.out.push((put_in(open.closer), span));
+        self.say(
+            Diagnostic::new(Code::E0203, span, format!("this `{found}` cannot close a `{opened}`"))
+                .also(open.span, format!("the `{opened}` is opened here"))
+                .fix(format!("close it with `{right}`"), span, right),
+        );
+        false
+    }
+
+    /// Whether all open brackets of a kind are still closed by their own kind, not far after `at`.
+    fn all_close_later(&self, kind: TokenKind, closer: TokenKind, at: usize) -> bool {
+        let mut wanting = self.open.iter().filter(|open| open.kind == kind).count();
+        let mut depth = 0usize;
+        for (lexeme, _) in self.region[at..].iter().take(FAR) {
+            if lexeme.kind == kind {
+                depth += 1;
+            } else if lexeme.kind == closer && depth > 0 {
+                depth -= 1;
+            } else if lexeme.kind == closer {
+                wanting -= 1;
+            } else if begins_statement(*lexeme) {
+                return false;
             }
+            if wanting == 0 {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Puts what was made of the lexemes since `start` in doubt, and what follows up to the next statement. With
+    /// `statement`, only back to where the statement began.
+    fn distrust(&mut self, start: usize, statement: bool) {
+        for (lexeme, _) in self.out[start..].iter_mut().rev().take(FAR) {
+            lexeme.suspect = true;
+            if statement && begins_statement(*lexeme) {
+                break;
+            }
+        }
+        self.doubt = true;
+    }
+
+    /// Closes all but the first `keep` open brackets before `found`.
+    pub(super) fn unclosed_above(&mut self, keep: usize, found: Span) {
+        while self.open.len() > keep {
             if let Some(open) = self.open.pop() {
-                self.unclosed(&open, span);
+                self.unclosed(&open, found);
             }
         }
     }
 
     /// Puts in what closes `open`, and says that it was missing before `found`.
-    fn unclosed(&mut self, open: &Open, found: Span) {
+    pub(super) fn unclosed(&mut self, open: &Open, found: Span) {
         let place = self.put(open.closer, open.span);
+        self.distrust(open.place, false);
         let closer = open.closer.text().unwrap_or_default();
         self.say(unclosed(open).also(found, format!("`{closer}` is missing before this")).fix(
             format!("close it with `{closer}`"),
@@ -154,6 +198,7 @@ impl<'s, 'r> Matcher<'s, 'r> {
                 all.push(closer);
                 all
             });
+        self.distrust(innermost.place, false);
         let mut missing = String::new();
         let mut place = innermost.span.after();
         for closer in closers {
@@ -232,8 +277,17 @@ fn unclosed(open: &Open) -> Diagnostic {
     Diagnostic::new(Code::E0202, open.span, format!("this `{opener}` is never closed")).label("opened here")
 }
 
+/// Whether a field, a member or a line of a test begins with this.
+fn begins_statement(lexeme: Lexeme<'_>) -> bool {
+    match lexeme.role {
+        Role::Plain => lexeme.kind == TokenKind::Let,
+        Role::Label => lexeme.indent.is_some(),
+        _ => true,
+    }
+}
+
 /// A lexeme that the text does not have.
-fn put_in(kind: TokenKind) -> Lexeme<'static> {
+pub(super) fn put_in(kind: TokenKind) -> Lexeme<'static> {
     let text = kind.text().unwrap_or_default();
     Lexeme { kind, text, role: Role::Plain, indent: None, suspect: true }
 }

@@ -1,21 +1,30 @@
 //! Brackets: matched before the tree is built, so that the grammar only ever sees balanced ones, nested no deeper than
 //! it can bear. What is missing is put in, what is left over is left out, and each is said once.
 
+mod block;
+mod layout;
 mod matcher;
-#[cfg(test)]
-mod tests;
 
 use super::lexeme::{Placed, begins_item};
-use super::limits::Said;
+use super::limits::{MAX_NESTING, Said};
 use super::token::TokenKind;
 use matcher::Matcher;
 use std::ops::Range;
 
 /// Balances the brackets.
 pub(super) fn balance<'s>(lexemes: Vec<Placed<'s>>, said: &mut Said) -> Vec<Placed<'s>> {
-    let mut balanced = Vec::with_capacity(lexemes.len());
-    for region in regions(&lexemes) {
+    let regions = regions(&lexemes);
+    let sound: Vec<bool> = regions.iter().map(|region| is_sound(&lexemes[region.clone()])).collect();
+    if sound.iter().all(|sound| *sound) {
+        return lexemes;
+    }
+    let mut balanced = Vec::with_capacity(lexemes.len() + MAX_NESTING);
+    for (region, sound) in regions.into_iter().zip(sound) {
         let region = &lexemes[region];
+        if sound {
+            balanced.extend_from_slice(region);
+            continue;
+        }
         let strict = Matcher::run(region, false);
         let outcome = if strict.said.is_empty() { strict } else { Matcher::run(region, true) };
         balanced.extend(outcome.out);
@@ -24,6 +33,29 @@ pub(super) fn balance<'s>(lexemes: Vec<Placed<'s>>, said: &mut Said) -> Vec<Plac
         }
     }
     balanced
+}
+
+/// Whether nothing can be wrong with the brackets of a region, by a quick look: most files are left as they are.
+fn is_sound(region: &[Placed<'_>]) -> bool {
+    let mut open: Vec<TokenKind> = Vec::new();
+    let keyword = region.iter().map(|(lexeme, _)| lexeme.kind).find(|kind| *kind != TokenKind::Pub);
+    let members = matches!(keyword, Some(TokenKind::Ifs | TokenKind::Test));
+    for (lexeme, _) in region {
+        let outermost = open.is_empty() || members && open == [TokenKind::CloseBrace];
+        match lexeme.kind {
+            TokenKind::Let if !outermost => return false,
+            TokenKind::Arrow if !open.is_empty() => return false,
+            TokenKind::OpenBrace if open.first().is_some_and(|first| *first != TokenKind::CloseBrace) => {
+                return false;
+            }
+            kind if kind.is_closer() && open.pop() != Some(kind) => return false,
+            kind => open.extend(kind.closer()),
+        }
+        if open.len() > MAX_NESTING {
+            return false;
+        }
+    }
+    open.is_empty()
 }
 
 /// The ranges from one word that begins an item, and never stands inside one, to the next.

@@ -14,7 +14,7 @@ fn show(text: &str) -> String {
         .collect()
 }
 
-const PROGRAMS: &[(&str, &str)] = &[
+pub(super) const PROGRAMS: &[(&str, &str)] = &[
     ("bezier", include_str!("language/bezier.ifs")),
     ("classical", include_str!("language/classical.ifs")),
     ("surfaces", include_str!("language/surfaces.ifs")),

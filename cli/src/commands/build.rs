@@ -1,0 +1,86 @@
+//! `ifs build`: the outputs of a design, all or none, and a short table of what was made.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use ifs_compiler::analysis::{Analysis, analyse};
+use ifs_compiler::outputs::{Output, Selection, outputs, parameter_texts};
+
+use super::{overrides, table, tell};
+use crate::args::{Build, Emit, MessageFormat};
+use crate::exit::Exit;
+use crate::folder::{Committed, Exchange, FolderError, OutputFolder, Provenance, SourceRecord};
+use crate::output;
+use crate::sources::Disk;
+
+/// Builds a design.
+pub fn build(build: &Build, format: MessageFormat) -> Exit {
+    let Some(path) = build.file.to_str() else {
+        output::message("error: a path that is not UTF-8\n");
+        return Exit::Usage;
+    };
+    let analysis = analyse(&Disk, path, &overrides(&build.settings));
+    let told = tell(&analysis.diagnostics, &analysis.sources, format);
+    if told.exit != Exit::Good {
+        return told.exit;
+    }
+    if build.emit.contains(&Emit::Plan)
+        && let Some(lowered) = &analysis.plan
+        && let Err(exit) = output::data(&lowered.plan.to_string())
+    {
+        return exit;
+    }
+    let selection = selection(&build.emit);
+    if selection.is_empty() {
+        return Exit::Good;
+    }
+    let made = outputs(&analysis, selection);
+    let told = tell(&made.diagnostics, &analysis.sources, format);
+    if told.exit != Exit::Good {
+        return told.exit;
+    }
+    let out = build.out.clone().unwrap_or_else(|| PathBuf::from("out").join(analysis.design_name()));
+    match write(&out, &analysis, &made.files) {
+        Ok(committed) => finish(&analysis, &committed, &out, format),
+        Err(error) => {
+            output::message(&format!("error: {error}\n"));
+            Exit::InputOutput
+        }
+    }
+}
+
+/// What `--emit` asks for; everything where it is not given.
+fn selection(emit: &[Emit]) -> Selection {
+    if emit.is_empty() {
+        return Selection::ALL;
+    }
+    let wants = |which: Emit| emit.contains(&which);
+    Selection { glb: wants(Emit::Glb), nc: wants(Emit::Nc), csv: wants(Emit::Csv), json: wants(Emit::Json) }
+}
+
+fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed, FolderError> {
+    let mut waiting = || output::message(&format!("waiting for another build of {}\n", out.display()));
+    let mut staging = OutputFolder::stage_with(out, Exchange::System, &mut waiting)?;
+    for file in files {
+        staging.write_with(&file.path, file.kind, file.address.as_deref(), |out| file.write(out))?;
+    }
+    let root = analysis.sources.get(analysis.root);
+    let text = root.map_or("", |source| source.text.as_str());
+    let name = format!("{}.ifs", analysis.design_name());
+    let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
+    staging.commit(&Provenance { sources: vec![SourceRecord::of(&name, text.as_bytes())], parameters })
+}
+
+fn finish(analysis: &Analysis, committed: &Committed, out: &Path, format: MessageFormat) -> Exit {
+    for name in &committed.foreign {
+        output::message(&format!("note: kept {name}, which no build wrote\n"));
+    }
+    if let Some(leftover) = &committed.leftover {
+        output::message(&format!("warning: the build is complete, but {leftover}\n"));
+    }
+    if format == MessageFormat::Json {
+        return Exit::Good;
+    }
+    let files = committed.manifest.files.len() + 1;
+    output::data(&table::table(analysis, files, out)).err().unwrap_or(Exit::Good)
+}

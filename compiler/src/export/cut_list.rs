@@ -1,0 +1,85 @@
+//! `cutlist.csv`: one row for each board and plank, refused ones too.
+
+use super::csv::{Cell, Table};
+use super::part::Part;
+
+/// The columns. Where the cut list of a plank has three lengths, the one between the end cuts on the axis comes first.
+pub const HEADERS: [&str; 30] = [
+    "address",
+    "alias",
+    "figure",
+    "material",
+    "length_mm",
+    "inner_length_mm",
+    "outer_length_mm",
+    "width_mm",
+    "thickness_mm",
+    "area_m2",
+    "mass_kg",
+    "edge_0_mm",
+    "edge_1_mm",
+    "edge_2_mm",
+    "edge_3_mm",
+    "bevel_0_deg",
+    "bevel_1_deg",
+    "bevel_2_deg",
+    "bevel_3_deg",
+    "mitre_start_deg",
+    "mitre_end_deg",
+    "diagonal_mm",
+    "fold_deg",
+    "planarity",
+    "bend_radius_mm",
+    "moved_mm",
+    "grain",
+    "sheet",
+    "files",
+    "status",
+];
+
+/// The cut list of `parts`, in their order. Several files in a cell are parted by `; `. A board without a bend says
+/// `flat`.
+#[must_use]
+pub fn cut_list(parts: &[Part]) -> String {
+    let mut table = Table::new(&HEADERS);
+    for part in parts {
+        let files = part.files.join("; ");
+        table.row(cells(part, &files));
+    }
+    table.finish()
+}
+
+fn cells<'a>(part: &'a Part, files: &'a str) -> Vec<Cell<'a>> {
+    let mut cells: Vec<Cell<'_>> =
+        [&part.address, &part.alias, &part.figure, &part.material].map(|text| Cell::Text(text)).into();
+    cells.extend(
+        [
+            part.length_mm,
+            part.inner_length_mm,
+            part.outer_length_mm,
+            part.width_mm,
+            part.thickness_mm,
+            part.area_m2,
+            part.mass_kg,
+        ]
+        .map(Cell::from),
+    );
+    cells.extend((0..4).map(|side| Cell::from(part.edges_mm.map(|edges| edges[side]))));
+    cells.extend(part.bevels_deg.map(Cell::from));
+    cells.extend((0..2).map(|end| Cell::from(part.mitres_deg.map(|mitres| mitres[end]))));
+    cells.extend([part.diagonal_mm, part.fold_deg, part.planarity].map(Cell::from));
+    cells.push(match part.bend_radius_mm {
+        Some(radius) => Cell::Number(radius),
+        None if part.fold_deg.is_some() => Cell::Text("flat"),
+        None => Cell::Empty,
+    });
+    cells.push(part.moved_mm.into());
+    cells.push(part.grain.map_or(Cell::Empty, Cell::Text));
+    cells.push(part.sheet.as_deref().map_or(Cell::Empty, Cell::Text));
+    cells.push(Cell::Text(files));
+    cells.push(Cell::Text(&part.status));
+    cells
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,79 @@
+//! The part of the report on what the design requires.
+
+use serde::Serialize;
+
+use crate::export::number::Fixed;
+use crate::fabricate::checks::{CheckResult, Measured};
+
+/// A `require` and what came of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Requirement {
+    /// As the design writes it.
+    pub text: String,
+    /// Whether everything measured is within it.
+    pub holds: bool,
+    /// The unit of the figures below: `mm`, `deg` or none for a cosine.
+    pub unit: Option<&'static str>,
+    /// How many measurements are outside it.
+    pub failing: usize,
+    /// How many measurements there are.
+    pub total: usize,
+    /// The least measured.
+    pub least: Option<Fixed>,
+    /// The largest measured.
+    pub most: Option<Fixed>,
+    /// The worst, the worst first.
+    pub worst: Vec<WorstReport>,
+}
+
+/// One of the worst elements of a requirement.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WorstReport {
+    /// Its address.
+    pub address: String,
+    /// Its alias.
+    pub alias: String,
+    /// Where on it.
+    pub place: String,
+    /// What was measured.
+    pub value: Fixed,
+}
+
+/// What a requirement measures, and so how its figures are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// mm
+    Length,
+    /// Measured in rad, written in degrees.
+    Angle,
+    /// A planarity, without a unit.
+    Planarity,
+}
+
+impl Requirement {
+    /// The result of a check of the requirement that the design writes as `text`.
+    #[must_use]
+    pub fn of(text: &str, quantity: Quantity, result: &CheckResult) -> Self {
+        let (unit, number): (_, fn(f64) -> Fixed) = match quantity {
+            Quantity::Length => (Some("mm"), Fixed::mm),
+            Quantity::Angle => (Some("deg"), Fixed::degrees),
+            Quantity::Planarity => (None, Fixed::planarity),
+        };
+        let worst = |measured: &Measured| WorstReport {
+            address: measured.address.clone(),
+            alias: measured.alias.clone(),
+            place: measured.place.clone(),
+            value: number(measured.value),
+        };
+        Self {
+            text: text.to_owned(),
+            holds: result.holds(),
+            unit,
+            failing: result.failing,
+            total: result.total,
+            least: result.extremes.map(|(least, _)| number(least)),
+            most: result.extremes.map(|(_, most)| number(most)),
+            worst: result.measured.iter().map(worst).collect(),
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! What a build writes: from one analysis to named outputs. The folder they go to, and when, is the caller's business.
+
+mod model;
+pub mod names;
+mod parts;
+mod report;
+
+use crate::analysis::{Analysis, Elements};
+use crate::diagnostic::Diagnostic;
+use crate::export::planarity_csv::{Surface, planarity_csv};
+use crate::export::{cut_list, glb::GlbError};
+use model::OwnedModel;
+use sha2::{Digest, Sha256};
+use std::io;
+
+/// Which outputs are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Selection {
+    /// `model.glb`
+    pub glb: bool,
+    /// `boards/*.nc`
+    pub nc: bool,
+    /// `cutlist.csv`, `planarity.csv`
+    pub csv: bool,
+    /// `report.json`
+    pub json: bool,
+}
+
+impl Selection {
+    /// Everything.
+    pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, json: true };
+
+    /// Whether nothing is wanted.
+    pub fn is_empty(self) -> bool {
+        !(self.glb || self.nc || self.csv || self.json)
+    }
+}
+
+/// One file of a build.
+#[derive(Debug)]
+pub struct Output {
+    /// Its place in the output folder, with `/`.
+    pub path: String,
+    /// What it is, for the manifest: `model`, `report`, `list`, `program`.
+    pub kind: &'static str,
+    /// The address of the board it is for.
+    pub address: Option<String>,
+    /// What it holds.
+    content: Content,
+}
+
+#[derive(Debug)]
+enum Content {
+    Bytes(Vec<u8>),
+    Model(Box<OwnedModel>),
+}
+
+impl Output {
+    fn new(path: &str, kind: &'static str, text: String) -> Self {
+        Output { path: path.to_owned(), kind, address: None, content: Content::Bytes(text.into_bytes()) }
+    }
+
+    /// Writes the bytes of the file.
+    ///
+    /// # Errors
+    /// Those of `out`; a model that its format cannot hold.
+    pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        match &self.content {
+            Content::Bytes(bytes) => out.write_all(bytes),
+            Content::Model(model) => model.write(out).map_err(|error| match error {
+                GlbError::Write(error) => error,
+                other => io::Error::other(other.to_string()),
+            }),
+        }
+    }
+}
+
+/// The outputs of a design, or why some cannot be made.
+#[derive(Debug)]
+pub struct Outputs {
+    /// The files, in order; empty where there are diagnostics.
+    pub files: Vec<Output>,
+    /// Boards that cannot be made by the machine they are for.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Makes the outputs of a design without errors.
+pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
+    let mut files = Vec::new();
+    if selection.glb {
+        let model = Box::new(OwnedModel::of(analysis));
+        files.push(Output {
+            path: "model.glb".to_owned(),
+            kind: "model",
+            address: None,
+            content: Content::Model(model),
+        });
+    }
+    if analysis.fabrications.is_empty() && !selection.json {
+        return Outputs { files, diagnostics: Vec::new() };
+    }
+    let parts = parts::parts(analysis, selection.nc);
+    if selection.csv && !analysis.fabrications.is_empty() {
+        let all: Vec<_> = parts.iter().flatten().cloned().collect();
+        files.push(Output::new("cutlist.csv", "list", cut_list::cut_list(&all)));
+        let surfaces = surfaces(analysis);
+        if !surfaces.is_empty() {
+            files.push(Output::new("planarity.csv", "list", planarity_csv(&surfaces)));
+        }
+    }
+    if selection.json
+        && let Ok(text) = report::report(analysis, parts).to_json()
+    {
+        files.push(Output::new("report.json", "report", text));
+    }
+    Outputs { files, diagnostics: Vec::new() }
+}
+
+fn surfaces(analysis: &Analysis) -> Vec<Surface<'_>> {
+    let panels = analysis.fabrications.iter().filter_map(|made| match &made.elements {
+        Elements::Panels(panels) => Some(panels),
+        Elements::Planks(_) => None,
+    });
+    panels
+        .flat_map(|panels| &panels.figures)
+        .map(|figure| Surface { designed: &figure.designed, planarized: &figure.built, labels: &figure.labels })
+        .collect()
+}
+
+/// What a build is made of, as 16 hexadecimal digits: the design's text and its parameters. Two builds with the same one
+/// by the same version of the program are the same.
+pub fn design_hash(analysis: &Analysis) -> String {
+    let mut hasher = Sha256::new();
+    let text = analysis.sources.get(analysis.root).map_or("", |source| source.text.as_str());
+    hasher.update(text.as_bytes());
+    for (name, value) in parameter_texts(analysis) {
+        hasher.update([0]);
+        hasher.update(name.as_bytes());
+        hasher.update([0]);
+        hasher.update(value.as_bytes());
+    }
+    names::hex(&hasher.finalize())[..16].to_owned()
+}
+
+/// The parameters as the language writes them, in the order of the design.
+pub fn parameter_texts(analysis: &Analysis) -> Vec<(String, String)> {
+    use crate::hir::evaluate::words;
+    use crate::hir::value::Value;
+    let text = |value: &Value, ty: &crate::hir::types::Type| match value {
+        Value::Scalar(scalar) => words(scalar, ty),
+        Value::Bool(truth) => truth.to_string(),
+        Value::Text(text) => text.to_string(),
+        _ => String::new(),
+    };
+    let parameters = analysis.parameters.iter();
+    parameters.map(|parameter| (parameter.name.clone(), text(&parameter.value, &parameter.ty))).collect()
+}
