@@ -111,8 +111,7 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         analysis.plan = evaluated.plan;
         analysis.fabrications = evaluated.fabrications;
     }
-    // Of a text that is not there, or not whole, nothing else can be said.
-    analysis.diagnostics = if unreadable.is_empty() { diagnostics.finish() } else { unreadable };
+    analysis.diagnostics = diagnostics.finish();
     analysis
 }
 
