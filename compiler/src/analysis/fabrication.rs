@@ -13,9 +13,9 @@ use crate::hir::evaluate::Evaluator;
 use crate::hir::schema::{Measure, SchemaKind};
 use crate::hir::tree::{Fabricate, Hir};
 use crate::hir::value::Value;
-use crate::planarize::{Outcome, Perturbation, perturb};
 use crate::plan::FigurePlan;
 use crate::plan::lower::Lowered;
+use crate::planarize::{Outcome, Perturbation, perturb};
 use glam::DVec3;
 use std::ops::ControlFlow;
 
@@ -162,7 +162,8 @@ impl Work<'_> {
             return Some(());
         }
         let message = format!("this asks for {total} boards; the limit is {MOST_BOARDS}");
-        let diagnostic = Diagnostic::new(Code::E0701, self.block.figure_span, message).label("too many boards");
+        let diagnostic =
+            Diagnostic::new(Code::E0701, self.block.figure_span, message).label("too many boards");
         self.diagnostics.push(diagnostic.hint("lower the level of the figure"));
         None
     }
@@ -180,9 +181,11 @@ impl Work<'_> {
     fn wrong_shape(&mut self, figure: &FigurePlan, is: &str, makes: &str) {
         let kind = self.block.kind.name();
         let message = format!("`{figure}` is a {is}: {kind} cannot be made of it");
-        let diagnostic = Diagnostic::new(Code::E0802, self.block.kind_span, message).label(format!("not of a {is}"));
+        let diagnostic =
+            Diagnostic::new(Code::E0802, self.block.kind_span, message).label(format!("not of a {is}"));
         let figure_span = self.block.figure_span;
-        self.diagnostics.push(diagnostic.also(figure_span, format!("a {is}")).hint(format!("write `as {makes}`")));
+        self.diagnostics
+            .push(diagnostic.also(figure_span, format!("a {is}")).hint(format!("write `as {makes}`")));
     }
 
     fn refuse(&mut self, setting: &str, why: &str) {
@@ -215,8 +218,13 @@ impl Work<'_> {
                 }
             },
         };
-        let mut made =
-            PanelsMade { settings, perturbation, figures: Vec::new(), panels: Vec::new(), refused: Vec::new() };
+        let mut made = PanelsMade {
+            settings,
+            perturbation,
+            figures: Vec::new(),
+            panels: Vec::new(),
+            refused: Vec::new(),
+        };
         let figures: Vec<(usize, FigurePlan)> =
             self.figures().into_iter().map(|(place, figure)| (place, figure.clone())).collect();
         for (place, figure) in figures {
@@ -229,7 +237,9 @@ impl Work<'_> {
     /// The planarity that `require planarity >= …` asks for.
     fn goal(&self, limits: &[LimitValue]) -> Option<f64> {
         let required = self.block.requirements.iter().zip(limits);
-        required.filter(|(requirement, _)| requirement.measure == Measure::Planarity).find_map(|(_, limit)| limit.least())
+        required
+            .filter(|(requirement, _)| requirement.measure == Measure::Planarity)
+            .find_map(|(_, limit)| limit.least())
     }
 
     fn surface(&mut self, place: usize, figure: &FigurePlan, made: &mut PanelsMade) -> Option<()> {
@@ -282,16 +292,19 @@ impl Work<'_> {
         let message = format!("{} ({}) cannot be made: {reason}", label.alias, label.address);
         let mut diagnostic = Diagnostic::new(Code::E0805, span, message).label("asked for here");
         if refused.len() > 1 {
-            let others: Vec<&str> = refused[1..].iter().take(5).map(|(label, _)| label.alias.as_str()).collect();
+            let others: Vec<&str> =
+                refused[1..].iter().take(5).map(|(label, _)| label.alias.as_str()).collect();
             let more = if refused.len() > 6 { ", …" } else { "" };
-            diagnostic = diagnostic.note(format!("and {} more: {}{more}", refused.len() - 1, others.join(", ")));
+            diagnostic =
+                diagnostic.note(format!("and {} more: {}{more}", refused.len() - 1, others.join(", ")));
         }
         self.diagnostics.push(diagnostic.hint(hint));
     }
 
     fn planks(&mut self) -> Option<PlanksMade> {
         let (depth, width) = settings::size(&self.setting("section")?.1)?;
-        let number = |work: &Self, name: &str| work.setting(name).and_then(|(_, value, _)| Value::number(value));
+        let number =
+            |work: &Self, name: &str| work.setting(name).and_then(|(_, value, _)| Value::number(value));
         let settings = PlankSettings {
             material: settings::material(self.hir, &self.setting("material")?.1),
             depth,
@@ -329,7 +342,8 @@ impl Work<'_> {
             }
             Err(error) => {
                 let why = format!("no planks can be made of `{figure}`: {error}");
-                let diagnostic = Diagnostic::new(Code::E0802, self.block.figure_span, why).label("this figure");
+                let diagnostic =
+                    Diagnostic::new(Code::E0802, self.block.figure_span, why).label("this figure");
                 self.diagnostics.push(diagnostic);
                 return None;
             }

@@ -26,7 +26,9 @@ impl LimitValue {
     /// The least value that holds, where there is one.
     pub(super) fn least(&self) -> Option<f64> {
         match self {
-            LimitValue::Plain(Limit::AtLeast(least) | Limit::Within(least, _) | Limit::Above(least)) => Some(*least),
+            LimitValue::Plain(Limit::AtLeast(least) | Limit::Within(least, _) | Limit::Above(least)) => {
+                Some(*least)
+            }
             _ => None,
         }
     }
@@ -133,7 +135,8 @@ fn failure(
     }
     if let Some((least, most)) = result.extremes {
         let words = |value: f64| quantity_words(value, measure.dimension());
-        diagnostic = diagnostic.note(format!("{} goes from {} to {}", measure.words(), words(least), words(most)));
+        diagnostic =
+            diagnostic.note(format!("{} goes from {} to {}", measure.words(), words(least), words(most)));
     }
     for remedy in remedies.of(fabrication, place) {
         diagnostic = diagnostic.hint(remedy);
@@ -147,6 +150,8 @@ fn sentence(measure: Measure, measured: &Measured) -> String {
     let place = if measured.place.is_empty() { String::new() } else { format!(", {}", measured.place) };
     match measure {
         Measure::Overlap => format!("the joints {} are {value} apart", measured.place),
-        _ => format!("the {} of {} ({}{place}) is {value}", measure.words(), measured.alias, measured.address),
+        _ => {
+            format!("the {} of {} ({}{place}) is {value}", measure.words(), measured.alias, measured.address)
+        }
     }
 }

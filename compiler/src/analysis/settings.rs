@@ -67,10 +67,18 @@ pub(super) fn choice(value: Option<&SettingValue>) -> Option<usize> {
 }
 
 /// The parameters of the perturbation method; `goal` is the block's `require planarity`.
-pub(super) fn perturbation(settings: &Value, span: Span, goal: Option<f64>) -> Result<Perturbation, Diagnostic> {
-    let Value::Settings(settings) = settings else { return Perturbation::try_new(Perturbation::default()).map_err(|error| wrong(span, &error.to_string())) };
+pub(super) fn perturbation(
+    settings: &Value,
+    span: Span,
+    goal: Option<f64>,
+) -> Result<Perturbation, Diagnostic> {
+    let Value::Settings(settings) = settings else {
+        return Perturbation::try_new(Perturbation::default())
+            .map_err(|error| wrong(span, &error.to_string()));
+    };
     let find = |name: &str| settings.iter().find(|(known, _, _)| *known == name);
-    let number = |name: &str, default: f64| find(name).and_then(|(_, value, _)| value.number()).unwrap_or(default);
+    let number =
+        |name: &str, default: f64| find(name).and_then(|(_, value, _)| value.number()).unwrap_or(default);
     let default = Perturbation::default();
     let pin = match choice(find("pin")) {
         Some(1) => Pin::None,
@@ -78,7 +86,8 @@ pub(super) fn perturbation(settings: &Value, span: Span, goal: Option<f64>) -> R
         Some(_) => Pin::Boundary,
         None => default.pin,
     };
-    let iterations = number("iterations", f64::from(default.iterations)).clamp(0.0, f64::from(u32::MAX)) as u32;
+    let iterations =
+        number("iterations", f64::from(default.iterations)).clamp(0.0, f64::from(u32::MAX)) as u32;
     let given = Perturbation {
         worst: number("worst", default.worst),
         average: number("average", default.average),

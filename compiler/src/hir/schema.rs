@@ -148,7 +148,12 @@ fn panels() -> Vec<Setting> {
     let mut settings = vec![
         setting("material", Type::Material, true, "what the boards are cut from; it gives the thickness"),
         setting("board", Type::Size, true, "the size of a raw board, length by width"),
-        setting("side", Type::Choice(ChoiceKind::Side), false, "where the design surface lies in the thickness"),
+        setting(
+            "side",
+            Type::Choice(ChoiceKind::Side),
+            false,
+            "where the design surface lies in the thickness",
+        ),
         setting("grain", Type::Choice(ChoiceKind::Grain), false, "the direction the grain runs"),
         setting("edges", Type::Choice(ChoiceKind::Edges), false, "how the edges are cut"),
         setting("planarize", Type::Settings(SchemaKind::Planarize), false, "make the quads flat first"),

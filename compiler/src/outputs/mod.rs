@@ -123,7 +123,11 @@ fn surfaces(analysis: &Analysis) -> Vec<Surface<'_>> {
     });
     panels
         .flat_map(|panels| &panels.figures)
-        .map(|figure| Surface { designed: &figure.designed, planarized: &figure.built, labels: &figure.labels })
+        .map(|figure| Surface {
+            designed: &figure.designed,
+            planarized: &figure.built,
+            labels: &figure.labels,
+        })
         .collect()
 }
 

@@ -98,11 +98,12 @@ impl Checker<'_> {
     ) -> Option<Vec<Expr>> {
         let parameters = self.signature(id).parameters;
         let bound = self.bind(frame, name, &parameters, arguments, span);
-        let values = bound.into_iter().zip(parameters).enumerate().map(|(index, (value, parameter))| match value {
-            Some(value) => Some(value),
-            None if parameter.required => None,
-            None => Some(Expr { kind: ExprKind::Default(id, index), ty: parameter.ty, span }),
-        });
+        let values =
+            bound.into_iter().zip(parameters).enumerate().map(|(index, (value, parameter))| match value {
+                Some(value) => Some(value),
+                None if parameter.required => None,
+                None => Some(Expr { kind: ExprKind::Default(id, index), ty: parameter.ty, span }),
+            });
         values.collect()
     }
 
@@ -143,7 +144,13 @@ impl Checker<'_> {
         }
     }
 
-    fn settings(&mut self, frame: &mut Frame, kind: SchemaKind, fields: &[ast::Argument], span: Span) -> Expr {
+    fn settings(
+        &mut self,
+        frame: &mut Frame,
+        kind: SchemaKind,
+        fields: &[ast::Argument],
+        span: Span,
+    ) -> Expr {
         let mut values: Vec<SettingValue> = Vec::new();
         for field in fields {
             let Some(name) = &field.name else {
@@ -158,7 +165,13 @@ impl Checker<'_> {
         Expr { kind: ExprKind::Settings(kind, values), ty: Type::Settings(kind), span }
     }
 
-    pub(super) fn field(&mut self, frame: &mut Frame, base: &ast::Expr, name: &ast::Name, span: Span) -> Expr {
+    pub(super) fn field(
+        &mut self,
+        frame: &mut Frame,
+        base: &ast::Expr,
+        name: &ast::Name,
+        span: Span,
+    ) -> Expr {
         let base = self.expr(frame, base, None);
         if base.ty == Type::Error {
             return error_expr(span);
@@ -174,7 +187,9 @@ impl Checker<'_> {
         let Some(id) = record else {
             let ty = self.type_name(&base.ty);
             let message = format!("a {ty} has no fields");
-            self.report(Diagnostic::new(Code::E0407, name.span, message).label(format!("no field of a {ty}")));
+            self.report(
+                Diagnostic::new(Code::E0407, name.span, message).label(format!("no field of a {ty}")),
+            );
             return error_expr(span);
         };
         self.ensure_checked(id, span);
@@ -182,7 +197,12 @@ impl Checker<'_> {
         let Some(index) = fields.iter().position(|field| field.name == name.text) else {
             let known: Vec<String> = fields.iter().map(|field| field.name.clone()).collect();
             let record = self.items[id.0 as usize].name.clone();
-            self.unknown_word(Code::E0407, name, &format!("field of `{record}`"), known.iter().map(String::as_str));
+            self.unknown_word(
+                Code::E0407,
+                name,
+                &format!("field of `{record}`"),
+                known.iter().map(String::as_str),
+            );
             return error_expr(span);
         };
         let ty = fields[index].ty.clone();

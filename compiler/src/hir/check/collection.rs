@@ -21,7 +21,8 @@ impl Checker<'_> {
         for element in &elements {
             let Some(joined) = ty.join(&element.ty) else {
                 let (first, other) = (self.type_name(&ty), self.type_name(&element.ty));
-                let message = format!("the elements of a list are of one type, but these are {first} and {other}");
+                let message =
+                    format!("the elements of a list are of one type, but these are {first} and {other}");
                 let diagnostic = Diagnostic::new(Code::E0410, element.span, message).label(other);
                 self.report(diagnostic.also(elements[0].span, first));
                 return error_expr(span);
@@ -85,7 +86,13 @@ impl Checker<'_> {
         Expr { kind: ExprKind::Range(Box::new(from), Box::new(to)), ty: Type::IntRange, span }
     }
 
-    pub(super) fn index(&mut self, frame: &mut Frame, base: &ast::Expr, indices: &[ast::Expr], span: Span) -> Expr {
+    pub(super) fn index(
+        &mut self,
+        frame: &mut Frame,
+        base: &ast::Expr,
+        indices: &[ast::Expr],
+        span: Span,
+    ) -> Expr {
         let base = self.expr(frame, base, None);
         let indices: Vec<Expr> = indices.iter().map(|index| self.expr(frame, index, None)).collect();
         if base.ty == Type::Error || indices.iter().any(|index| index.ty == Type::Error) {
@@ -103,16 +110,20 @@ impl Checker<'_> {
                 let ty = base.ty.clone();
                 Expr { kind: ExprKind::Slice(Box::new(base), indices), ty, span }
             }
-            _ if indices.iter().all(|index| index.ty == Type::Int) => indices.into_iter().fold(base, |list, index| {
-                let Type::List(element) = list.ty.clone() else { return error_expr(span) };
-                Expr { kind: ExprKind::Index(Box::new(list), Box::new(index)), ty: *element, span }
-            }),
+            _ if indices.iter().all(|index| index.ty == Type::Int) => {
+                indices.into_iter().fold(base, |list, index| {
+                    let Type::List(element) = list.ty.clone() else { return error_expr(span) };
+                    Expr { kind: ExprKind::Index(Box::new(list), Box::new(index)), ty: *element, span }
+                })
+            }
             _ => {
                 let at = indices.iter().find(|index| !matches!(index.ty, Type::Int | Type::IntRange));
                 let at = at.or(indices.first()).map_or(span, |index| index.span);
                 let message = "in brackets stand whole numbers, or ranges of them, not both";
                 let diagnostic = Diagnostic::new(Code::E0401, at, message).label("does not fit here");
-                self.report(diagnostic.hint("`list[3]` is an element, `list[0..4]` a part, `grid[0..4, 2..6]` a part of a grid"));
+                self.report(diagnostic.hint(
+                    "`list[3]` is an element, `list[0..4]` a part, `grid[0..4, 2..6]` a part of a grid",
+                ));
                 error_expr(span)
             }
         }

@@ -83,12 +83,18 @@ impl Checker<'_> {
                 Some(Box::new(move |diagnostic| diagnostic.fix(text, after, unit)))
             }
             Type::Quantity(Dimension::NUMBER) if value.ty.dimension().is_some() => {
-                Some(Box::new(|diagnostic| diagnostic.hint("divide by a unit, such as `/ 1mm`, to get a plain number")))
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("divide by a unit, such as `/ 1mm`, to get a plain number")
+                }))
             }
-            Type::Int if plain => Some(Box::new(|diagnostic| diagnostic.hint("use a whole number, or `round(…)`"))),
-            Type::Material => Some(Box::new(|diagnostic| {
-                diagnostic.hint("a material is a record with a `thickness` or a `density`, such as `birch_plywood(12mm)`")
-            })),
+            Type::Int if plain => {
+                Some(Box::new(|diagnostic| diagnostic.hint("use a whole number, or `round(…)`")))
+            }
+            Type::Material => {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("a material is a record with a `thickness` or a `density`, such as `birch_plywood(12mm)`")
+                }))
+            }
             Type::Point(_) | Type::Vector(_) if value.ty.dimension().is_some() => {
                 Some(Box::new(|diagnostic| diagnostic.hint("a point is two or three lengths: `(1m, 0m)`")))
             }

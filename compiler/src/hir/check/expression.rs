@@ -43,7 +43,9 @@ impl Checker<'_> {
                 self.binary(frame, *operator, *at, left, right, span)
             }
             ast::ExprKind::Range(range) => self.range(frame, range, span),
-            ast::ExprKind::If(condition, yes, no) => self.condition(frame, [condition, yes, no], span, expected),
+            ast::ExprKind::If(condition, yes, no) => {
+                self.condition(frame, [condition, yes, no], span, expected)
+            }
             ast::ExprKind::On(ifs, placement) => self.on(frame, ifs, placement, span),
             ast::ExprKind::At(figure, level) => self.at(frame, figure, level, span),
         }
@@ -99,7 +101,13 @@ impl Checker<'_> {
         error_expr(span)
     }
 
-    fn coordinates(&mut self, frame: &mut Frame, parts: &[ast::Expr], span: Span, expected: Option<&Type>) -> Expr {
+    fn coordinates(
+        &mut self,
+        frame: &mut Frame,
+        parts: &[ast::Expr],
+        span: Span,
+        expected: Option<&Type>,
+    ) -> Expr {
         let space = match parts.len() {
             2 => PointSpace::Plane,
             3 => PointSpace::Space,
@@ -140,5 +148,4 @@ impl Checker<'_> {
         let [condition, yes, no] = parts;
         Expr { kind: ExprKind::If(condition, yes, no), ty, span }
     }
-
 }

@@ -16,7 +16,12 @@ impl Checker<'_> {
             "panels" => SchemaKind::Panels,
             "planks" => SchemaKind::Planks,
             _ => {
-                self.unknown_word(Code::E0411, &block.kind, "kind of element", ["panels", "planks"].into_iter());
+                self.unknown_word(
+                    Code::E0411,
+                    &block.kind,
+                    "kind of element",
+                    ["panels", "planks"].into_iter(),
+                );
                 return;
             }
         };
@@ -66,7 +71,8 @@ impl Checker<'_> {
         };
         if !matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Figure(_)) {
             let message = format!("`{}` is not a figure", name.text);
-            let diagnostic = Diagnostic::new(Code::E0401, name.span, message).label("only a figure can be fabricated");
+            let diagnostic =
+                Diagnostic::new(Code::E0401, name.span, message).label("only a figure can be fabricated");
             let declared = self.items[id.0 as usize].name_span;
             self.report(diagnostic.also(declared, "declared here").hint("declare it with `figure … = …`"));
             return None;
@@ -86,14 +92,15 @@ impl Checker<'_> {
 
     fn required_settings(&mut self, block: &ast::Fabricate, kind: SchemaKind, span: Span) {
         let given = |name: &str| {
-            block.entries.iter().any(|entry| {
-                matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name)
-            })
+            block.entries.iter().any(
+                |entry| matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name),
+            )
         };
         for setting in kind.settings().iter().filter(|setting| setting.required && !given(setting.name)) {
             let at = Span { start: span.start, end: block.kind.span.end, ..span };
             let message = format!("a block of {} needs `{}`", kind.name(), setting.name);
-            let diagnostic = Diagnostic::new(Code::E0403, at, message).label(format!("no `{}`", setting.name));
+            let diagnostic =
+                Diagnostic::new(Code::E0403, at, message).label(format!("no `{}`", setting.name));
             self.report(diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc)));
         }
     }

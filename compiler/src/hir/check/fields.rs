@@ -28,8 +28,11 @@ impl Checker<'_> {
             };
             if let Some(earlier) = places[place] {
                 let message = format!("`{}` of `{what}` is given twice", parameters[place].name);
-                let diagnostic = Diagnostic::new(Code::E0405, argument_span(argument), message).label("given again");
-                self.report(diagnostic.also(argument_span(earlier), "first given here").hint("remove one of them"));
+                let diagnostic =
+                    Diagnostic::new(Code::E0405, argument_span(argument), message).label("given again");
+                self.report(
+                    diagnostic.also(argument_span(earlier), "first given here").hint("remove one of them"),
+                );
                 continue;
             }
             places[place] = Some(argument);
@@ -44,7 +47,11 @@ impl Checker<'_> {
             self.missing(what, &missing, span);
         }
         let bound = parameters.iter().zip(places);
-        bound.map(|(parameter, place)| place.map(|argument| self.expect(frame, &argument.value, &parameter.ty))).collect()
+        bound
+            .map(|(parameter, place)| {
+                place.map(|argument| self.expect(frame, &argument.value, &parameter.ty))
+            })
+            .collect()
     }
 
     fn missing(&mut self, what: &str, missing: &[&Parameter], span: Span) {
@@ -54,7 +61,8 @@ impl Checker<'_> {
             .map(|parameter| format!("{}: … ({})", parameter.name, self.type_name(&parameter.ty)))
             .collect();
         let message = format!("`{what}` needs {}", names.join(" and "));
-        let diagnostic = Diagnostic::new(Code::E0403, span, message).label(format!("{} missing", names.join(", ")));
+        let diagnostic =
+            Diagnostic::new(Code::E0403, span, message).label(format!("{} missing", names.join(", ")));
         self.report(diagnostic.hint(format!("add {}", examples.join(", "))));
     }
 

@@ -76,7 +76,9 @@ impl<'a> Checker<'a> {
             .label("needed here, while it is being worked out")
             .also(declared, format!("`{name}` is declared here"));
         diagnostic = match item.kind {
-            ast::ItemKind::Function(_) => diagnostic.hint("write what the function gives: `-> Length`, `-> Curve`, …"),
+            ast::ItemKind::Function(_) => {
+                diagnostic.hint("write what the function gives: `-> Length`, `-> Curve`, …")
+            }
             _ => diagnostic.hint("give one of the definitions in the circle a value of its own"),
         };
         self.report(diagnostic);
@@ -127,8 +129,11 @@ impl<'a> Checker<'a> {
         if !number && !matches!(ty, Type::Bool | Type::Text | Type::Error) {
             let name = self.type_name(&ty);
             let message = format!("a parameter cannot be a {name}");
-            let diagnostic = Diagnostic::new(Code::E0401, param.ty.span, message).label("not set from outside");
-            self.report(diagnostic.hint("parameters are numbers (`Length`, `Angle`, `Int`, …), `Bool` or `Text`"));
+            let diagnostic =
+                Diagnostic::new(Code::E0401, param.ty.span, message).label("not set from outside");
+            self.report(
+                diagnostic.hint("parameters are numbers (`Length`, `Angle`, `Int`, …), `Bool` or `Text`"),
+            );
         }
         let default = self.body(module, &param.default, Some(&ty));
         let bound = |checker: &mut Self, value: &ast::Expr| {
@@ -187,7 +192,8 @@ impl<'a> Checker<'a> {
         for (index, (field, parameter)) in fields.iter().zip(signature.parameters).enumerate() {
             if let Some(first) = fields[..index].iter().find(|other| other.name.text == field.name.text) {
                 let message = format!("`{}` is declared twice", field.name.text);
-                let diagnostic = Diagnostic::new(Code::E0302, field.name.span, message).label("declared again here");
+                let diagnostic =
+                    Diagnostic::new(Code::E0302, field.name.span, message).label("declared again here");
                 self.report(diagnostic.also(first.name.span, "first declared here"));
             }
             let default = field.default.as_ref().map(|value| self.body(module, value, Some(&parameter.ty)));

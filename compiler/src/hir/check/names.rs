@@ -47,7 +47,8 @@ impl Checker<'_> {
             Some(Symbol::Item(id)) => self.item_value(id, span),
             Some(Symbol::Native(native)) => {
                 let declaration = native.declaration();
-                let names: Vec<&str> = declaration.parameters.iter().map(|parameter| parameter.name).collect();
+                let names: Vec<&str> =
+                    declaration.parameters.iter().map(|parameter| parameter.name).collect();
                 let message = format!("`{name}` is a function; it needs its arguments");
                 let diagnostic = Diagnostic::new(Code::E0401, span, message).label("a function, not a value");
                 self.report(diagnostic.hint(format!("write `{name}({})`", names.join(", "))));
@@ -60,7 +61,8 @@ impl Checker<'_> {
 
     pub(super) fn later(&mut self, name: &str, span: Span) -> Expr {
         let message = format!("`{name}` is not available yet");
-        let diagnostic = Diagnostic::new(Code::E0001, span, message).label("part of the language, but still to come");
+        let diagnostic =
+            Diagnostic::new(Code::E0001, span, message).label("part of the language, but still to come");
         self.report(diagnostic);
         error_expr(span)
     }

@@ -94,7 +94,9 @@ impl Checker<'_> {
                 if *first != Type::LENGTH {
                     let name = self.type_name(first);
                     let message = format!("`interpolate` looks up a Length, but this is a {name}");
-                    self.report(Diagnostic::new(Code::E0401, values[0].span, message).label(format!("a {name}")));
+                    self.report(
+                        Diagnostic::new(Code::E0401, values[0].span, message).label(format!("a {name}")),
+                    );
                     return None;
                 }
                 Type::LENGTH
@@ -102,8 +104,11 @@ impl Checker<'_> {
             Native::Segment => {
                 let control = values.iter().all(|value| value.ty.point_space() == Some(PointSpace::Control));
                 if !control {
-                    let message = "a germ is drawn between the control points of its ifs, or combinations of them";
-                    self.report(Diagnostic::new(Code::E0402, values[0].span, message).label("not a control point"));
+                    let message =
+                        "a germ is drawn between the control points of its ifs, or combinations of them";
+                    self.report(
+                        Diagnostic::new(Code::E0402, values[0].span, message).label("not a control point"),
+                    );
                     return None;
                 }
                 Type::Germ
@@ -119,7 +124,9 @@ impl Checker<'_> {
             return Some(Type::Quantity(root));
         }
         let message = format!("there is no square root of a {}", dimension.name());
-        self.report(Diagnostic::new(Code::E0402, value.span, message).label(format!("a {}", dimension.name())));
+        self.report(
+            Diagnostic::new(Code::E0402, value.span, message).label(format!("a {}", dimension.name())),
+        );
         None
     }
 

@@ -60,7 +60,9 @@ impl Checker<'_> {
                 let kind = if and { ExprKind::And(left, right) } else { ExprKind::Or(left, right) };
                 return Expr { kind, ty: Type::Bool, span };
             }
-            BinaryOperator::Compare(comparison) => return self.compare(frame, comparison, at, [left, right], span),
+            BinaryOperator::Compare(comparison) => {
+                return self.compare(frame, comparison, at, [left, right], span);
+            }
         };
         let additive = matches!(arithmetic, Arithmetic::Add | Arithmetic::Subtract);
         let (left, right) = if additive {
@@ -128,9 +130,11 @@ impl Checker<'_> {
             .also(right.span, b);
         let both_numbers = left.ty.dimension().is_some() && right.ty.dimension().is_some();
         if both_numbers {
-            diagnostic = diagnostic.hint("numbers are added and subtracted only when their dimensions are the same");
+            diagnostic =
+                diagnostic.hint("numbers are added and subtracted only when their dimensions are the same");
         } else if left.ty.point_space().is_some() && right.ty.point_space().is_some() {
-            diagnostic = diagnostic.hint("both must be in the plane, both in space, or both made of control points");
+            diagnostic =
+                diagnostic.hint("both must be in the plane, both in space, or both made of control points");
         }
         self.report(diagnostic);
         error_expr(span)

@@ -8,12 +8,19 @@ use crate::source::Span;
 use crate::syntax::ast;
 
 impl Checker<'_> {
-    pub(super) fn on(&mut self, frame: &mut Frame, ifs: &ast::Expr, placement: &ast::Placement, span: Span) -> Expr {
+    pub(super) fn on(
+        &mut self,
+        frame: &mut Frame,
+        ifs: &ast::Expr,
+        placement: &ast::Placement,
+        span: Span,
+    ) -> Expr {
         let ifs = self.expect(frame, ifs, &Type::Ifs);
         let point = Type::Point(PointSpace::Any);
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
-                let points: Vec<Expr> = points.iter().map(|value| self.expect(frame, value, &point)).collect();
+                let points: Vec<Expr> =
+                    points.iter().map(|value| self.expect(frame, value, &point)).collect();
                 self.count_points(&ifs, points.len(), *at);
                 let ty = Type::List(Box::new(point));
                 (Expr { kind: ExprKind::List(points), ty, span: *at }, *at)
@@ -47,7 +54,13 @@ impl Checker<'_> {
         self.report(diagnostic.also(declared_at, format!("on ({names})")));
     }
 
-    pub(super) fn at(&mut self, frame: &mut Frame, figure: &ast::Expr, level: &ast::Level, span: Span) -> Expr {
+    pub(super) fn at(
+        &mut self,
+        frame: &mut Frame,
+        figure: &ast::Expr,
+        level: &ast::Level,
+        span: Span,
+    ) -> Expr {
         let figure = self.expr(frame, figure, None);
         let figure = if figure.ty.is_figure() { figure } else { self.convert(figure, &Type::Figure) };
         let (first, second) = match level {

@@ -42,9 +42,10 @@ pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
         ast::ItemKind::Record(record) => Some(&record.name),
         ast::ItemKind::Ifs(ifs) => Some(&ifs.name),
         ast::ItemKind::Figure(figure) => Some(&figure.name),
-        ast::ItemKind::Use(_) | ast::ItemKind::Fabricate(_) | ast::ItemKind::Test(_) | ast::ItemKind::Error => {
-            None
-        }
+        ast::ItemKind::Use(_)
+        | ast::ItemKind::Fabricate(_)
+        | ast::ItemKind::Test(_)
+        | ast::ItemKind::Error => None,
     }
 }
 
@@ -91,8 +92,10 @@ impl<'a> Checker<'a> {
             if let Some(first) = scope.own.get(name.text.as_str()) {
                 let first = self.items[first.0 as usize].name_span;
                 let message = format!("`{}` is declared twice", name.text);
-                let diagnostic = Diagnostic::new(Code::E0302, name.span, message).label("declared again here");
-                let diagnostic = diagnostic.also(first, "first declared here").hint("give one of them another name");
+                let diagnostic =
+                    Diagnostic::new(Code::E0302, name.span, message).label("declared again here");
+                let diagnostic =
+                    diagnostic.also(first, "first declared here").hint("give one of them another name");
                 self.report(diagnostic);
                 continue;
             }
@@ -168,11 +171,13 @@ impl<'a> Checker<'a> {
         };
         let dotted: Vec<&str> = names.iter().map(|name| name.text.as_str()).collect();
         if let ["std", module] = dotted.as_slice()
-            && let Some(found) = self.modules.iter().position(|scope| scope.name == *module && *module != "prelude")
+            && let Some(found) =
+                self.modules.iter().position(|scope| scope.name == *module && *module != "prelude")
         {
             return Some(found);
         }
-        let known: Vec<String> = self.modules.iter().map(|scope| format!("std.{}", scope.name)).skip(2).collect();
+        let known: Vec<String> =
+            self.modules.iter().map(|scope| format!("std.{}", scope.name)).skip(2).collect();
         let written = dotted.join(".");
         let message = format!("there is no module `{written}`");
         let mut diagnostic = Diagnostic::new(Code::E0303, path.span(), message).label("not a module");

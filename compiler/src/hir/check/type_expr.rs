@@ -46,7 +46,8 @@ impl Checker<'_> {
         {
             return Type::Record(id);
         }
-        let records = self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
+        let records =
+            self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
         let library = self.modules.iter().flat_map(|scope| scope.public.keys().copied());
         let library = library.filter(|name| name.starts_with(char::is_uppercase));
         let mut known: Vec<String> = Dimension::names().map(str::to_owned).collect();
@@ -58,7 +59,8 @@ impl Checker<'_> {
             Some(candidate) => {
                 diagnostic.fix(format!("did you mean `{candidate}`?"), ty.span, candidate.to_owned())
             }
-            None => diagnostic.hint("types are `Number`, `Length`, `Angle`, `Point`, `[Length]` and the like, or records"),
+            None => diagnostic
+                .hint("types are `Number`, `Length`, `Angle`, `Point`, `[Length]` and the like, or records"),
         };
         self.report(diagnostic);
         Type::Error

@@ -10,7 +10,12 @@ use crate::source::Span;
 use std::sync::Arc;
 
 impl Evaluator<'_> {
-    pub(super) fn coordinates(&mut self, frame: &mut Frame, parts: &[Expr], weight: Scalar) -> Outcome<Value> {
+    pub(super) fn coordinates(
+        &mut self,
+        frame: &mut Frame,
+        parts: &[Expr],
+        weight: Scalar,
+    ) -> Outcome<Value> {
         let mut coordinates = Vec::with_capacity(parts.len());
         for part in parts {
             coordinates.push(self.scalar(frame, part)?);
@@ -48,7 +53,13 @@ impl Evaluator<'_> {
         Ok(combination(&left.terms, numbers, weight, span))
     }
 
-    pub(super) fn scale(&mut self, value: &Combination, factor: &Scalar, divide: bool, span: Span) -> Outcome<Value> {
+    pub(super) fn scale(
+        &mut self,
+        value: &Combination,
+        factor: &Scalar,
+        divide: bool,
+        span: Span,
+    ) -> Outcome<Value> {
         let factor = match value.terms {
             Terms::Weights(_) => exactly(factor.clone()).map_err(|error| self.scalar_error(error, span))?,
             Terms::Coordinates(_) => factor.clone(),
@@ -61,7 +72,13 @@ impl Evaluator<'_> {
     }
 
     /// `(1 - t) a + t b`
-    pub(super) fn lerp(&mut self, a: &Combination, b: &Combination, t: &Scalar, span: Span) -> Outcome<Value> {
+    pub(super) fn lerp(
+        &mut self,
+        a: &Combination,
+        b: &Combination,
+        t: &Scalar,
+        span: Span,
+    ) -> Outcome<Value> {
         let rest = Scalar::one().minus(t).map_err(|error| self.scalar_error(error, span))?;
         let (first, second) = (self.scale(a, &rest, false, span)?, self.scale(b, t, false, span)?);
         match (first, second) {

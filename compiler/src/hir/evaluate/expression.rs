@@ -111,7 +111,9 @@ impl Evaluator<'_> {
             Scalar::Symbolic(_) => Err(Stop::Undetermined),
             scalar => scalar.to_integer().ok_or_else(|| {
                 let message = "this whole number is too large";
-                self.report(Diagnostic::new(Code::E0604, expr.span, message).label("beyond what can be counted"))
+                self.report(
+                    Diagnostic::new(Code::E0604, expr.span, message).label("beyond what can be counted"),
+                )
             }),
         }
     }

@@ -86,7 +86,8 @@ impl Evaluator<'_> {
         let part = bounds.filter(|(from, to)| from <= to).and_then(|(from, to)| elements.get(from..to));
         let Some(part) = part else {
             let message = format!("there is no part {from}..{to} of a list of {}", elements.len());
-            let diagnostic = Diagnostic::new(Code::E0602, first.span, message).label(format!("is {from}..{to}"));
+            let diagnostic =
+                Diagnostic::new(Code::E0602, first.span, message).label(format!("is {from}..{to}"));
             return Err(self.report(diagnostic.hint(format!("parts lie within 0..{}", elements.len()))));
         };
         self.spend(part.len() as u64, first.span)?;

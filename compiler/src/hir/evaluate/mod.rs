@@ -13,8 +13,8 @@ mod overrides;
 mod placement;
 mod symbolic;
 
-pub use expression::{quantity_words, words};
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
+pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceTransform};
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
 
@@ -140,7 +140,12 @@ impl<'a> Evaluator<'a> {
     ///
     /// # Errors
     /// After a report.
-    pub fn in_block(&mut self, value: &super::tree::Expr, slots: u32, material: Option<&Value>) -> Outcome<Value> {
+    pub fn in_block(
+        &mut self,
+        value: &super::tree::Expr,
+        slots: u32,
+        material: Option<&Value>,
+    ) -> Outcome<Value> {
         let mut frame = Frame::new(slots.max(1));
         if let Some(material) = material {
             frame.set(LocalId(0), material.clone());

@@ -131,18 +131,17 @@ impl Evaluator<'_> {
         let inside = |a: &Scalar, b: &Scalar| a.compare(b).is_ok_and(std::cmp::Ordering::is_le);
         let words = |scalar: &Scalar| super::words(scalar, &param.ty);
         if !inside(least, most) {
-            let message = format!("the range of `{name}` is empty: {} is above {}", words(least), words(most));
-            return Err(self.report(Diagnostic::new(Code::E0607, range_span, message).label("nothing lies in it")));
+            let message =
+                format!("the range of `{name}` is empty: {} is above {}", words(least), words(most));
+            return Err(
+                self.report(Diagnostic::new(Code::E0607, range_span, message).label("nothing lies in it"))
+            );
         }
         if inside(least, value) && inside(value, most) {
             return Ok(());
         }
-        let message = format!(
-            "`{name}` is {}, outside of its range {} .. {}",
-            words(value),
-            words(least),
-            words(most)
-        );
+        let message =
+            format!("`{name}` is {}, outside of its range {} .. {}", words(value), words(least), words(most));
         let nearest = if inside(value, least) { words(least) } else { words(most) };
         let place = if set { name_span } else { param.default.value.span };
         let diagnostic = Diagnostic::new(Code::E0601, place, message)

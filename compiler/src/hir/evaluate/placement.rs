@@ -8,7 +8,14 @@ use crate::source::Span;
 use std::sync::Arc;
 
 impl Evaluator<'_> {
-    pub(super) fn on(&mut self, frame: &mut Frame, ifs: &Expr, points: &Expr, at: Span, span: Span) -> Outcome<Value> {
+    pub(super) fn on(
+        &mut self,
+        frame: &mut Frame,
+        ifs: &Expr,
+        points: &Expr,
+        at: Span,
+        span: Span,
+    ) -> Outcome<Value> {
         let ifs_value = self.expr(frame, ifs)?;
         let points = self.expr(frame, points)?;
         let Value::Ifs(ifs_value) = ifs_value else { return Err(Stop::Reported) };
@@ -37,8 +44,10 @@ impl Evaluator<'_> {
         if list.len() != needed {
             let name = self.hir.item(instance.ifs).name.clone();
             let declared = self.hir.item(instance.ifs).name_span;
-            let message = format!("`{name}` is placed on {needed} control points, but {} are given", list.len());
-            let diagnostic = Diagnostic::new(Code::E0504, at, message).label(format!("{} points", list.len()));
+            let message =
+                format!("`{name}` is placed on {needed} control points, but {} are given", list.len());
+            let diagnostic =
+                Diagnostic::new(Code::E0504, at, message).label(format!("{} points", list.len()));
             return Err(self.report(diagnostic.also(declared, "declared here")));
         }
         let (points, dimension) = self.placed(list, at)?;
@@ -54,7 +63,8 @@ impl Evaluator<'_> {
                 needed.0, needed.1
             );
             let diagnostic = Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}"));
-            let hint = format!("take a part of it, such as `[0..{}, 0..{}]`, or use `sheet`", needed.0, needed.1);
+            let hint =
+                format!("take a part of it, such as `[0..{}, 0..{}]`, or use `sheet`", needed.0, needed.1);
             return Err(self.report(diagnostic.hint(hint)));
         }
         let (u, v) = (u.clone(), v.clone());
@@ -62,7 +72,14 @@ impl Evaluator<'_> {
     }
 
     /// `sheet(u, v, net)`
-    pub(super) fn sheet(&mut self, u: &Value, v: &Value, net: &Value, at: Span, span: Span) -> Outcome<Value> {
+    pub(super) fn sheet(
+        &mut self,
+        u: &Value,
+        v: &Value,
+        net: &Value,
+        at: Span,
+        span: Span,
+    ) -> Outcome<Value> {
         let (Some(u), Some(v)) = (self.factor(u, span)?, self.factor(v, span)?) else {
             return Err(Stop::Reported);
         };
@@ -73,7 +90,9 @@ impl Evaluator<'_> {
                 "a sheet needs a net of at least {} by {} control points, but this one is {rows} by {columns}",
                 needed.0, needed.1
             );
-            return Err(self.report(Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}"))));
+            return Err(
+                self.report(Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}")))
+            );
         }
         let shape = Shape::Sheet { u, v, net, rows, columns, windows: true };
         Ok(Value::Figure(Arc::new(Figure { shape, level: None, span })))
@@ -107,7 +126,9 @@ impl Evaluator<'_> {
             };
             if row.len() != columns {
                 let message = format!("row {index} of the net has {} points, row 0 has {columns}", row.len());
-                return Err(self.report(Diagnostic::new(Code::E0510, at, message).label("rows of different lengths")));
+                return Err(
+                    self.report(Diagnostic::new(Code::E0510, at, message).label("rows of different lengths"))
+                );
             }
             let (points, dimension) = self.placed(row, at)?;
             if dimension != 3 {
@@ -149,7 +170,13 @@ impl Evaluator<'_> {
         Ok((out, coordinates.len() as u8))
     }
 
-    pub(super) fn at(&mut self, frame: &mut Frame, figure: &Expr, u: &Expr, v: Option<&Expr>) -> Outcome<Value> {
+    pub(super) fn at(
+        &mut self,
+        frame: &mut Frame,
+        figure: &Expr,
+        u: &Expr,
+        v: Option<&Expr>,
+    ) -> Outcome<Value> {
         let Value::Figure(value) = self.expr(frame, figure)? else { return Err(Stop::Reported) };
         let level = self.level(frame, u)?;
         let second = match v {

@@ -4,7 +4,9 @@ use super::{FigureSource, Lowering};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::tree::ItemKind;
-use crate::ifs::{Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join};
+use crate::ifs::{
+    Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join,
+};
 use crate::plan::figure::{FigurePlan, Shape};
 use crate::source::Span;
 use std::collections::BTreeMap;
@@ -26,7 +28,13 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn warn_of_contraction(&mut self, automaton: &Automaton, state: StateId, verdict: &Contraction, span: Span) {
+    fn warn_of_contraction(
+        &mut self,
+        automaton: &Automaton,
+        state: StateId,
+        verdict: &Contraction,
+        span: Span,
+    ) {
         let found = &automaton.state(state).name;
         let diagnostic = match verdict {
             Contraction::Proved { .. } => return,
@@ -44,9 +52,11 @@ impl Lowering<'_, '_> {
                 Diagnostic::new(Code::W0509, span, message).label("not proved, and not refuted")
             }
         };
-        let factors = automaton.state(state).transforms.iter().map(|transform| {
-            format!("{} {:.4}", transform.name, difference_norm(transform).to_f64())
-        });
+        let factors = automaton
+            .state(state)
+            .transforms
+            .iter()
+            .map(|transform| format!("{} {:.4}", transform.name, difference_norm(transform).to_f64()));
         let note = format!("factors of one step: {}", factors.collect::<Vec<_>>().join(", "));
         self.diagnostics.push(diagnostic.note(note));
     }
@@ -116,15 +126,25 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn open(&self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span, why: &str) -> Diagnostic {
+    fn open(
+        &self,
+        automaton: &Automaton,
+        state: StateId,
+        verdict: &Joins,
+        at: Span,
+        why: &str,
+    ) -> Diagnostic {
         let name = &automaton.state(state).name;
         let Joins::Open(open) = verdict else {
             let message = format!("the pieces of `{name}` could not be proved to meet");
-            return Diagnostic::new(Code::E0505, at, message).label(why).note("the proof takes too many steps");
+            return Diagnostic::new(Code::E0505, at, message)
+                .label(why)
+                .note("the proof takes too many steps");
         };
         let transforms = &automaton.state(open.state).transforms;
         let (left, right) = (&transforms[open.left].name, &transforms[open.right].name);
-        let message = format!("the pieces of `{name}` do not meet: `{left}` does not end where `{right}` starts");
+        let message =
+            format!("the pieces of `{name}` do not meet: `{left}` does not end where `{right}` starts");
         let mut diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
         if let (Some(first), Some(second)) =
             (self.transform_span(open.state, open.left), self.transform_span(open.state, open.right))
@@ -135,7 +155,8 @@ impl Lowering<'_, '_> {
                 .also(second, format!("starts at {}", weights(&open.right_weights, &names)));
         }
         diagnostic = diagnostic.note(self.difference(open));
-        diagnostic.hint(format!("give the last image of `{left}` and the first image of `{right}` the same point"))
+        diagnostic
+            .hint(format!("give the last image of `{left}` and the first image of `{right}` the same point"))
     }
 
     fn open_windows(&self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span) -> Diagnostic {

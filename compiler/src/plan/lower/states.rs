@@ -53,8 +53,10 @@ impl Lowering<'_, '_> {
                     "`{}` leads to more than {MAX_STATES} states: each set of arguments is a state",
                     item.name
                 );
-                let diagnostic = Diagnostic::new(Code::E0702, item.name_span, message).label("too many states");
-                let hint = "let transforms continue with the same arguments, or with one of a few sets of them";
+                let diagnostic =
+                    Diagnostic::new(Code::E0702, item.name_span, message).label("too many states");
+                let hint =
+                    "let transforms continue with the same arguments, or with one of a few sets of them";
                 self.diagnostics.push(diagnostic.hint(hint));
             }
             return None;
@@ -96,13 +98,16 @@ impl Lowering<'_, '_> {
     fn not_an_automaton(&mut self, error: &AutomatonError) {
         let (state, code) = match error {
             AutomatonError::WrongSize { state, .. } => (state, Code::E0503),
-            AutomatonError::NoControlPoints { state } | AutomatonError::NoTransforms { state } => (state, Code::E0507),
+            AutomatonError::NoControlPoints { state } | AutomatonError::NoTransforms { state } => {
+                (state, Code::E0507)
+            }
             AutomatonError::TooManyStates { .. } => return,
             AutomatonError::UnknownTarget { state, .. }
             | AutomatonError::WeightSum { state, .. }
             | AutomatonError::GermWeights { state, .. } => (state, Code::E0501),
         };
-        let instance = self.states.instances.iter().find(|instance| instance_name(self.hir, instance) == *state);
+        let instance =
+            self.states.instances.iter().find(|instance| instance_name(self.hir, instance) == *state);
         let span = instance.map_or(Span::default(), |instance| self.hir.item(instance.ifs).name_span);
         self.diagnostics.push(Diagnostic::new(code, span, error.to_string()).label("this ifs"));
     }
