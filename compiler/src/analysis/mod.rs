@@ -65,6 +65,7 @@ impl Analysis {
 pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
     let mut loaded = load::load(files, root);
     let mut diagnostics = Diagnostics::default();
+    let unreadable = !loaded.diagnostics.is_empty();
     diagnostics.extend(std::mem::take(&mut loaded.diagnostics));
     diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
     let Checked { hir, diagnostics: found } = {
@@ -73,9 +74,14 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         check(&modules)
     };
     // An item that could not be read has lost its name: that others cannot find it is no mistake of theirs.
-    let lost = loaded.parse.ast.items.iter().any(|item| item.kind == ItemKindOf::Error);
-    diagnostics.extend(found.into_iter().filter(|diagnostic| !(lost && diagnostic.code == Code::E0301)));
-    diagnostics.extend(unknown_parameters(&hir, overrides));
+    let lost = unreadable || loaded.parse.ast.items.iter().any(|item| item.kind == ItemKindOf::Error);
+    // Nor is an import unused whose use could not be read.
+    let broken = !loaded.parse.diagnostics.is_empty();
+    let follows = |code: Code| (lost && code == Code::E0301) || (broken && code == Code::W0307);
+    diagnostics.extend(found.into_iter().filter(|diagnostic| !follows(diagnostic.code)));
+    if !lost {
+        diagnostics.extend(unknown_parameters(&hir, overrides));
+    }
     let mut analysis = Analysis {
         sources: loaded.sources,
         root: loaded.root,
