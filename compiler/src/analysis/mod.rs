@@ -1,6 +1,7 @@
 //! What one revision of a design means: its sources, tree, typed tree, plan, boards and diagnostics. Command line,
 //! language server and preview read this one analysis; there is no second.
 
+mod cascades;
 mod fabrication;
 mod load;
 mod measures;
@@ -13,6 +14,7 @@ pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigur
 pub use load::Library;
 pub use placed::{FigureGeometry, figure_geometry};
 pub use requirements::{LimitValue, RequirementResult};
+pub(crate) use settings::{field, number, text};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
@@ -21,7 +23,6 @@ use crate::hir::{Checked, ModuleSource, check};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
 use crate::syntax::Parse;
-use crate::syntax::ast::ItemKind as ItemKindOf;
 use std::collections::BTreeSet;
 
 /// Everything that is known of a design.
@@ -71,18 +72,24 @@ impl Analysis {
 pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
     let mut loaded = load::load(files, root);
     let mut diagnostics = Diagnostics::default();
-    let unreadable = std::mem::take(&mut loaded.diagnostics);
-    diagnostics.extend(unreadable.iter().cloned());
-    diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    diagnostics.extend(std::mem::take(&mut loaded.diagnostics));
+    // Of a text that could not be read to its end nothing more is said: it would speak of what is missing.
+    let readable = diagnostics.is_empty();
+    if readable {
+        diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    }
     let Checked { hir, diagnostics: found } = {
         let mut modules = vec![ModuleSource { name: "", file: loaded.root, ast: &loaded.parse.ast }];
         modules.extend(loaded.library.modules().map(|(name, file, ast)| ModuleSource { name, file, ast }));
         check(&modules)
     };
-    // An item that could not be read has lost its name: that others cannot find it is no mistake of theirs.
-    let lost = loaded.parse.ast.items.iter().any(|item| item.kind == ItemKindOf::Error);
-    diagnostics.extend(found.into_iter().filter(|diagnostic| !(lost && diagnostic.code == Code::E0301)));
-    diagnostics.extend(unknown_parameters(&hir, overrides));
+    if readable {
+        let text = loaded.sources.get(loaded.root).map_or("", |source| source.text.as_str());
+        diagnostics.extend(cascades::without(found, text, &loaded.parse));
+    }
+    if !diagnostics.has_errors() {
+        diagnostics.extend(unknown_parameters(&hir, overrides));
+    }
     let mut analysis = Analysis {
         sources: loaded.sources,
         root: loaded.root,
@@ -104,8 +111,7 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         analysis.plan = evaluated.plan;
         analysis.fabrications = evaluated.fabrications;
     }
-    // Of a text that is not there, or not whole, nothing else can be said.
-    analysis.diagnostics = if unreadable.is_empty() { diagnostics.finish() } else { unreadable };
+    analysis.diagnostics = diagnostics.finish();
     analysis
 }
 

@@ -2,6 +2,7 @@
 
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::evaluate::MOST_ELEMENTS;
 use crate::hir::tree::{Clause, Expr, ExprKind};
 use crate::hir::types::Type;
 use crate::source::Span;
@@ -15,13 +16,19 @@ impl Checker<'_> {
         span: Span,
         expected: Option<&Type>,
     ) -> Expr {
+        if elements.len() > MOST_ELEMENTS {
+            let message = format!("a list of {} elements; the limit is {MOST_ELEMENTS}", elements.len());
+            self.report(Diagnostic::new(Code::E0704, span, message).label("too long"));
+            return error_expr(span);
+        }
         let wanted = element_of(expected);
         let elements: Vec<Expr> = elements.iter().map(|element| self.expr(frame, element, wanted)).collect();
         let mut ty = Type::Error;
         for element in &elements {
             let Some(joined) = ty.join(&element.ty) else {
-                let (first, other) = (self.type_name(&ty), self.type_name(&element.ty));
-                let message = format!("the elements of a list are of one type, but these are {first} and {other}");
+                let (first, other) = (self.described(&ty), self.described(&element.ty));
+                let message =
+                    format!("the elements of a list are of one kind, but here are {first} and {other}");
                 let diagnostic = Diagnostic::new(Code::E0410, element.span, message).label(other);
                 self.report(diagnostic.also(elements[0].span, first));
                 return error_expr(span);
@@ -70,9 +77,9 @@ impl Checker<'_> {
             Type::List(element) => (**element).clone(),
             Type::Error => Type::Error,
             other => {
-                let name = self.type_name(other);
-                let message = format!("`for` goes through a range or a list, but this is a {name}");
-                let diagnostic = Diagnostic::new(Code::E0401, over.span, message).label(format!("a {name}"));
+                let is = self.described(other);
+                let message = format!("`for` goes through a range or a list, but this is {is}");
+                let diagnostic = Diagnostic::new(Code::E0401, over.span, message).label(is);
                 self.report(diagnostic.hint("write `0..n` for the numbers from 0 to n - 1"));
                 Type::Error
             }
@@ -85,7 +92,13 @@ impl Checker<'_> {
         Expr { kind: ExprKind::Range(Box::new(from), Box::new(to)), ty: Type::IntRange, span }
     }
 
-    pub(super) fn index(&mut self, frame: &mut Frame, base: &ast::Expr, indices: &[ast::Expr], span: Span) -> Expr {
+    pub(super) fn index(
+        &mut self,
+        frame: &mut Frame,
+        base: &ast::Expr,
+        indices: &[ast::Expr],
+        span: Span,
+    ) -> Expr {
         let base = self.expr(frame, base, None);
         let indices: Vec<Expr> = indices.iter().map(|index| self.expr(frame, index, None)).collect();
         if base.ty == Type::Error || indices.iter().any(|index| index.ty == Type::Error) {
@@ -95,7 +108,7 @@ impl Checker<'_> {
         for index in &indices {
             match ty {
                 Type::List(element) => ty = *element,
-                other => return self.not_a_list(&other, index, span),
+                other => return self.not_a_list(&other, (&base, index), span),
             }
         }
         match indices.iter().position(|index| index.ty != Type::IntRange) {
@@ -103,25 +116,43 @@ impl Checker<'_> {
                 let ty = base.ty.clone();
                 Expr { kind: ExprKind::Slice(Box::new(base), indices), ty, span }
             }
-            _ if indices.iter().all(|index| index.ty == Type::Int) => indices.into_iter().fold(base, |list, index| {
-                let Type::List(element) = list.ty.clone() else { return error_expr(span) };
-                Expr { kind: ExprKind::Index(Box::new(list), Box::new(index)), ty: *element, span }
-            }),
+            _ if indices.iter().all(|index| index.ty == Type::Int) => {
+                indices.into_iter().fold(base, |list, index| {
+                    let Type::List(element) = list.ty.clone() else { return error_expr(span) };
+                    Expr { kind: ExprKind::Index(Box::new(list), Box::new(index)), ty: *element, span }
+                })
+            }
             _ => {
-                let at = indices.iter().find(|index| !matches!(index.ty, Type::Int | Type::IntRange));
-                let at = at.or(indices.first()).map_or(span, |index| index.span);
-                let message = "in brackets stand whole numbers, or ranges of them, not both";
-                let diagnostic = Diagnostic::new(Code::E0401, at, message).label("does not fit here");
-                self.report(diagnostic.hint("`list[3]` is an element, `list[0..4]` a part, `grid[0..4, 2..6]` a part of a grid"));
+                let other = indices.iter().find(|index| !matches!(index.ty, Type::Int | Type::IntRange));
+                let at = other.or(indices.first()).map_or(span, |index| index.span);
+                let (message, label) = match other {
+                    Some(other) => {
+                        let is = self.described(&other.ty);
+                        (format!("elements are picked by whole numbers, but this is {is}"), is)
+                    }
+                    None => {
+                        let message = "in brackets stand whole numbers, or ranges of them, not both";
+                        (message.to_owned(), "does not fit the other".to_owned())
+                    }
+                };
+                let diagnostic = Diagnostic::new(Code::E0401, at, message).label(label);
+                self.report(diagnostic.hint(
+                    "`list[3]` is an element, `list[0..4]` a part, `grid[0..4, 2..6]` a part of a grid",
+                ));
                 error_expr(span)
             }
         }
     }
 
-    fn not_a_list(&mut self, ty: &Type, index: &Expr, span: Span) -> Expr {
-        let name = self.type_name(ty);
-        let message = format!("a {name} has no elements");
-        self.report(Diagnostic::new(Code::E0401, index.span, message).label("nothing to pick from"));
+    fn not_a_list(&mut self, ty: &Type, (base, index): (&Expr, &Expr), span: Span) -> Expr {
+        let is = self.described(ty);
+        let diagnostic = if base.ty == *ty {
+            Diagnostic::new(Code::E0401, base.span, format!("{is} has no elements")).label("not a list")
+        } else {
+            let message = format!("there is one index too many: the elements are each {is}");
+            Diagnostic::new(Code::E0401, index.span, message).label("nothing to pick from")
+        };
+        self.report(diagnostic);
         error_expr(span)
     }
 }

@@ -4,7 +4,7 @@ use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
 use crate::hir::tree::{Expr, ExprKind};
-use crate::hir::types::Type;
+use crate::hir::types::{PointSpace, Type};
 use crate::syntax::ast;
 
 enum Fit {
@@ -58,10 +58,19 @@ impl Checker<'_> {
     }
 
     fn mismatch(&mut self, value: &Expr, expected: &Type) {
-        let (from, to) = (self.type_name(&value.ty), self.type_name(expected));
-        let message = format!("{} {to} is needed, but this is {} {from}", article(&to), article(&from));
-        let label = format!("{} {from}", article(&from));
-        let mut diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(label);
+        let (mut from, to) = (self.described(&value.ty), self.described(expected));
+        let plain = value.ty.dimension() == Some(Dimension::NUMBER);
+        if plain && expected.dimension().is_some_and(|dimension| dimension != Dimension::NUMBER) {
+            from = "a number without a unit".to_owned();
+        } else if plain && *expected == Type::Int {
+            from = "a number that may have decimals".to_owned();
+        }
+        let message = format!("{to} is needed, but this is {from}");
+        let mut diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(from);
+        if let ExprKind::Global(id) = value.kind {
+            let item = &self.items[id.0 as usize];
+            diagnostic = diagnostic.also(item.name_span, format!("`{}` is declared here", item.name));
+        }
         if let Some(hint) = self.mend(value, expected) {
             diagnostic = hint(diagnostic);
         }
@@ -72,23 +81,58 @@ impl Checker<'_> {
     fn mend(&self, value: &Expr, expected: &Type) -> Option<Box<dyn FnOnce(Diagnostic) -> Diagnostic>> {
         let span = value.span;
         let plain = value.ty.dimension() == Some(Dimension::NUMBER);
+        let control = |ty: &Type| ty.point_space() == Some(PointSpace::Control);
         match expected {
+            Type::Point(_)
+                if control(expected) && value.ty.point_space().is_some() && !control(&value.ty) =>
+            {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("inside of an ifs points are combinations of its control points, such as `lerp(p0, p1, 1/2)`")
+                }))
+            }
             Type::Quantity(dimension) if plain && *dimension != Dimension::NUMBER => {
                 let unit = dimension.display_unit().0;
-                if unit.is_empty() || !matches!(value.kind, ExprKind::Scalar(_)) {
+                if unit.is_empty() {
                     return None;
+                }
+                if !matches!(value.kind, ExprKind::Scalar(_)) {
+                    let text =
+                        format!("give it a unit where it is declared, or multiply by one: `… * 1{unit}`");
+                    return Some(Box::new(move |diagnostic| diagnostic.hint(text)));
                 }
                 let after = span.after();
                 let text = format!("add a unit, such as `{unit}`");
                 Some(Box::new(move |diagnostic| diagnostic.fix(text, after, unit)))
             }
             Type::Quantity(Dimension::NUMBER) if value.ty.dimension().is_some() => {
-                Some(Box::new(|diagnostic| diagnostic.hint("divide by a unit, such as `/ 1mm`, to get a plain number")))
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("divide by a unit, such as `/ 1mm`, to get a plain number")
+                }))
             }
-            Type::Int if plain => Some(Box::new(|diagnostic| diagnostic.hint("use a whole number, or `round(…)`"))),
-            Type::Material => Some(Box::new(|diagnostic| {
-                diagnostic.hint("a material is a record with a `thickness` or a `density`, such as `birch_plywood(12mm)`")
+            Type::Int if plain => {
+                Some(Box::new(|diagnostic| diagnostic.hint("use a whole number, or `round(…)`")))
+            }
+            Type::Quantity(Dimension::ANGLE) if value.ty.dimension().is_some() => {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("angles are written with `deg` or `rad`: `30deg`")
+                }))
+            }
+            Type::Point(_) if matches!(value.ty, Type::Vector(_)) => Some(Box::new(|diagnostic| {
+                diagnostic.hint("the difference of two points is a vector: add it to a point to get a point")
             })),
+            Type::Vector(_) if matches!(value.ty, Type::Point(_)) => Some(Box::new(|diagnostic| {
+                diagnostic.hint("a vector is the difference of two points: `q - p`")
+            })),
+            Type::Germ => Some(Box::new(|diagnostic| diagnostic.hint("write `germ segment(p, q)`"))),
+            Type::Bool => Some(Box::new(|diagnostic| {
+                diagnostic.hint("a condition is a comparison such as `a > b`, or `true` or `false`")
+            })),
+            Type::Size => Some(Box::new(|diagnostic| diagnostic.hint("a size is written `120mm by 27mm`"))),
+            Type::Material => {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("a material is a record with a `thickness` or a `density`, such as `birch_plywood(12mm)`")
+                }))
+            }
             Type::Point(_) | Type::Vector(_) if value.ty.dimension().is_some() => {
                 Some(Box::new(|diagnostic| diagnostic.hint("a point is two or three lengths: `(1m, 0m)`")))
             }
@@ -107,13 +151,5 @@ fn narrowed(from: &Type, to: &Type) -> Type {
         (Type::Point(_), Some(space)) => Type::Point(space),
         (Type::Vector(_), Some(space)) => Type::Vector(space),
         _ => to.clone(),
-    }
-}
-
-/// `a` or `an`, by the first letter; nothing before words in quotes.
-fn article(word: &str) -> &'static str {
-    match word.chars().next() {
-        Some('A' | 'E' | 'I' | 'O' | 'U' | 'a' | 'e' | 'i' | 'o' | 'u') => "an",
-        _ => "a",
     }
 }

@@ -25,9 +25,9 @@ impl Checker<'_> {
             Type::Int | Type::Quantity(_) | Type::Vector(_) | Type::Error => inner.ty.clone(),
             Type::Point(space) | Type::WeightedSum(space) => Type::WeightedSum(*space),
             other => {
-                let name = self.type_name(other);
-                let message = format!("`-` does not fit a {name}");
-                self.report(Diagnostic::new(Code::E0402, span, message).label(format!("a {name}")));
+                let name = self.described(other);
+                let message = format!("`-` does not fit {name}");
+                self.report(Diagnostic::new(Code::E0402, inner.span, message).label(name));
                 return error_expr(span);
             }
         };
@@ -39,9 +39,9 @@ impl Checker<'_> {
         frame: &mut Frame,
         operator: BinaryOperator,
         at: Span,
-        left: &ast::Expr,
-        right: &ast::Expr,
+        [left, right]: [&ast::Expr; 2],
         span: Span,
+        expected: Option<&Type>,
     ) -> Expr {
         let arithmetic = match operator {
             BinaryOperator::Add => Arithmetic::Add,
@@ -51,6 +51,9 @@ impl Checker<'_> {
             BinaryOperator::By => {
                 let sides = [left, right].map(|side| Box::new(self.expect(frame, side, &Type::LENGTH)));
                 let [length, width] = sides;
+                if length.ty == Type::Error || width.ty == Type::Error {
+                    return error_expr(span);
+                }
                 return Expr { kind: ExprKind::Size(length, width), ty: Type::Size, span };
             }
             BinaryOperator::And | BinaryOperator::Or => {
@@ -60,11 +63,15 @@ impl Checker<'_> {
                 let kind = if and { ExprKind::And(left, right) } else { ExprKind::Or(left, right) };
                 return Expr { kind, ty: Type::Bool, span };
             }
-            BinaryOperator::Compare(comparison) => return self.compare(frame, comparison, at, [left, right], span),
+            BinaryOperator::Compare(comparison) => {
+                return self.compare(frame, comparison, at, [left, right], span);
+            }
         };
         let additive = matches!(arithmetic, Arithmetic::Add | Arithmetic::Subtract);
         let (left, right) = if additive {
-            self.additive_sides(frame, left, right)
+            // The difference of two points is a vector: where one is needed, coordinates are the second point.
+            let difference = arithmetic == Arithmetic::Subtract && matches!(expected, Some(Type::Vector(_)));
+            self.additive_sides(frame, left, right, difference)
         } else {
             (self.expr(frame, left, None), self.expr(frame, right, None))
         };
@@ -78,13 +85,20 @@ impl Checker<'_> {
     }
 
     /// Coordinates written right beside `+` or `-` are a vector when the other side is a point or a vector.
-    fn additive_sides(&mut self, frame: &mut Frame, left: &ast::Expr, right: &ast::Expr) -> (Expr, Expr) {
+    fn additive_sides(
+        &mut self,
+        frame: &mut Frame,
+        left: &ast::Expr,
+        right: &ast::Expr,
+        difference: bool,
+    ) -> (Expr, Expr) {
         let literal = |side: &ast::Expr| matches!(side.kind, ast::ExprKind::Tuple(_));
         let vector = Type::Vector(PointSpace::Any);
         match (literal(left), literal(right)) {
             (false, true) => {
                 let left = self.expr(frame, left, None);
-                let wanted = left.ty.point_space().map(|_| &vector);
+                let of_points = difference && matches!(left.ty, Type::Point(_));
+                let wanted = left.ty.point_space().filter(|_| !of_points).map(|_| &vector);
                 let right = self.expr(frame, right, wanted);
                 (left, right)
             }
@@ -119,18 +133,39 @@ impl Checker<'_> {
     }
 
     fn unfit(&mut self, arithmetic: Arithmetic, at: Span, left: &Expr, right: &Expr, span: Span) -> Expr {
-        let (a, b) = (self.type_name(&left.ty), self.type_name(&right.ty));
+        let (a, b) = (self.described(&left.ty), self.described(&right.ty));
         let symbol = arithmetic.symbol();
-        let message = format!("`{symbol}` does not fit a {a} and a {b}");
+        let message = format!("`{symbol}` does not fit {a} and {b}");
         let mut diagnostic = Diagnostic::new(Code::E0402, at, message)
             .label(format!("`{symbol}` of these two"))
             .also(left.span, a)
             .also(right.span, b);
         let both_numbers = left.ty.dimension().is_some() && right.ty.dimension().is_some();
+        let list = [left, right].into_iter().find(|side| matches!(side.ty, Type::List(_)));
         if both_numbers {
-            diagnostic = diagnostic.hint("numbers are added and subtracted only when their dimensions are the same");
+            let unitless =
+                [left, right].into_iter().find(|side| side.ty.dimension() == Some(Dimension::NUMBER));
+            let other =
+                if unitless.is_some_and(|side| side.span == left.span) { &right.ty } else { &left.ty };
+            let unit = other.dimension().map_or("", |dimension| dimension.display_unit().0);
+            diagnostic = match unitless {
+                Some(side) if matches!(side.kind, ExprKind::Scalar(_)) && !unit.is_empty() => {
+                    diagnostic.fix(format!("add a unit, such as `{unit}`"), side.span.after(), unit)
+                }
+                _ => diagnostic
+                    .hint("only values of one dimension are added: lengths to lengths, angles to angles"),
+            };
+        } else if list.is_some() {
+            diagnostic =
+                diagnostic.hint(format!("for every element of a list: `[x {symbol} … for x in list]`"));
+        } else if matches!(arithmetic, Arithmetic::Multiply | Arithmetic::Divide)
+            && (left.ty.point_space().is_some() || right.ty.point_space().is_some())
+        {
+            diagnostic =
+                diagnostic.hint("points and vectors are multiplied and divided by numbers without a unit");
         } else if left.ty.point_space().is_some() && right.ty.point_space().is_some() {
-            diagnostic = diagnostic.hint("both must be in the plane, both in space, or both made of control points");
+            diagnostic =
+                diagnostic.hint("both must be in the plane, both in space, or both made of control points");
         }
         self.report(diagnostic);
         error_expr(span)
@@ -152,9 +187,16 @@ impl Checker<'_> {
             (a, b) => a.dimension().is_some() && a.dimension() == b.dimension(),
         };
         if !fits {
-            let (a, b) = (self.type_name(&left.ty), self.type_name(&right.ty));
-            let message = format!("a {a} cannot be compared with a {b} in this way");
-            let diagnostic = Diagnostic::new(Code::E0402, at, message).label("compares these two");
+            let (a, b) = (self.described(&left.ty), self.described(&right.ty));
+            let message = format!("{a} cannot be compared with {b} in this way");
+            let mut diagnostic = Diagnostic::new(Code::E0402, at, message).label("compares these two");
+            if left.ty == right.ty {
+                diagnostic = diagnostic
+                    .hint("only numbers are smaller or larger; others are the same (`==`) or not (`!=`)");
+            } else if left.ty.dimension().is_some() && right.ty.dimension().is_some() {
+                diagnostic =
+                    diagnostic.hint("only values of one dimension are compared: lengths with lengths");
+            }
             self.report(diagnostic.also(left.span, a).also(right.span, b));
             return error_expr(span);
         }

@@ -8,12 +8,23 @@ use crate::source::Span;
 use crate::syntax::ast;
 
 impl Checker<'_> {
-    pub(super) fn on(&mut self, frame: &mut Frame, ifs: &ast::Expr, placement: &ast::Placement, span: Span) -> Expr {
+    pub(super) fn on(
+        &mut self,
+        frame: &mut Frame,
+        ifs: &ast::Expr,
+        placement: &ast::Placement,
+        span: Span,
+    ) -> Expr {
         let ifs = self.expect(frame, ifs, &Type::Ifs);
         let point = Type::Point(PointSpace::Any);
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
-                let points: Vec<Expr> = points.iter().map(|value| self.expect(frame, value, &point)).collect();
+                let points: Vec<Expr> =
+                    points.iter().map(|value| self.expr(frame, value, Some(&point))).collect();
+                if let Some(list) = points.iter().find(|value| matches!(value.ty, Type::List(_))) {
+                    return self.list_in_brackets(list, points.len(), span);
+                }
+                let points: Vec<Expr> = points.into_iter().map(|value| self.convert(value, &point)).collect();
                 self.count_points(&ifs, points.len(), *at);
                 let ty = Type::List(Box::new(point));
                 (Expr { kind: ExprKind::List(points), ty, span: *at }, *at)
@@ -32,6 +43,17 @@ impl Checker<'_> {
         Expr { kind: ExprKind::On(Box::new(ifs), Box::new(points), at), ty: Type::Figure, span }
     }
 
+    fn list_in_brackets(&mut self, list: &Expr, count: usize, span: Span) -> Expr {
+        let name = self.described(&list.ty);
+        let message = format!("in brackets after `on` stand points one by one, but this is {name}");
+        let diagnostic = Diagnostic::new(Code::E0401, list.span, message).label("a whole list");
+        self.report(diagnostic.hint(match count {
+            1 => "a list stands after `on` without brackets around it: `on points`",
+            _ => "a grid of points is a list of lists: `on [[p, q], [r, s]]`",
+        }));
+        error_expr(span)
+    }
+
     fn count_points(&mut self, ifs: &Expr, given: usize, at: Span) {
         let ExprKind::Ifs(id, _) = &ifs.kind else { return };
         let ItemKind::Ifs(declared) = &self.items[id.0 as usize].kind else { return };
@@ -43,11 +65,18 @@ impl Checker<'_> {
         let item = &self.items[id.0 as usize];
         let (name, declared_at) = (item.name.clone(), item.name_span);
         let message = format!("`{name}` is placed on {needed} control points, but {given} are given");
-        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(format!("{given} points"));
-        self.report(diagnostic.also(declared_at, format!("on ({names})")));
+        let label = if given == 1 { "one point".to_owned() } else { format!("{given} points") };
+        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(label);
+        self.report(diagnostic.also(declared_at, "declared here").hint(format!("it needs ({names})")));
     }
 
-    pub(super) fn at(&mut self, frame: &mut Frame, figure: &ast::Expr, level: &ast::Level, span: Span) -> Expr {
+    pub(super) fn at(
+        &mut self,
+        frame: &mut Frame,
+        figure: &ast::Expr,
+        level: &ast::Level,
+        span: Span,
+    ) -> Expr {
         let figure = self.expr(frame, figure, None);
         let figure = if figure.ty.is_figure() { figure } else { self.convert(figure, &Type::Figure) };
         let (first, second) = match level {

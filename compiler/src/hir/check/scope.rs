@@ -1,12 +1,12 @@
 //! Modules and what they declare and import.
 
 use super::{Checker, Declared, ModuleSource, State, broken};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, did_you_mean};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, closest};
 use crate::hir::native::{LATER, NATIVES, Native};
 use crate::hir::tree::ItemId;
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +17,8 @@ pub(super) enum Symbol {
     Native(Native),
     /// Something of the language that the program cannot do yet.
     Later,
+    /// A name whose import failed; that has been said.
+    Lost,
 }
 
 pub(super) struct Import {
@@ -32,6 +34,8 @@ pub(super) struct ModuleScope<'a> {
     pub(super) own: BTreeMap<&'a str, ItemId>,
     pub(super) public: BTreeMap<&'a str, Symbol>,
     pub(super) imports: BTreeMap<&'a str, Import>,
+    /// Whether a `use` names nothing, so that any name of the library may have been meant.
+    pub(super) broken_use: bool,
 }
 
 pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
@@ -42,9 +46,10 @@ pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
         ast::ItemKind::Record(record) => Some(&record.name),
         ast::ItemKind::Ifs(ifs) => Some(&ifs.name),
         ast::ItemKind::Figure(figure) => Some(&figure.name),
-        ast::ItemKind::Use(_) | ast::ItemKind::Fabricate(_) | ast::ItemKind::Test(_) | ast::ItemKind::Error => {
-            None
-        }
+        ast::ItemKind::Use(_)
+        | ast::ItemKind::Fabricate(_)
+        | ast::ItemKind::Test(_)
+        | ast::ItemKind::Error => None,
     }
 }
 
@@ -57,7 +62,9 @@ impl<'a> Checker<'a> {
             types: BTreeMap::new(),
             signatures: BTreeMap::new(),
             fabricates: Vec::new(),
+            not_imported: BTreeSet::new(),
             diagnostics: Diagnostics::default(),
+            comparisons: 0,
         };
         for source in sources {
             checker.declare_module(*source);
@@ -77,6 +84,7 @@ impl<'a> Checker<'a> {
             own: BTreeMap::new(),
             public: BTreeMap::new(),
             imports: BTreeMap::new(),
+            broken_use: false,
         };
         if !source.name.is_empty() {
             for native in NATIVES.iter().filter(|native| native.module == source.name) {
@@ -91,8 +99,10 @@ impl<'a> Checker<'a> {
             if let Some(first) = scope.own.get(name.text.as_str()) {
                 let first = self.items[first.0 as usize].name_span;
                 let message = format!("`{}` is declared twice", name.text);
-                let diagnostic = Diagnostic::new(Code::E0302, name.span, message).label("declared again here");
-                let diagnostic = diagnostic.also(first, "first declared here").hint("give one of them another name");
+                let diagnostic =
+                    Diagnostic::new(Code::E0302, name.span, message).label("declared again here");
+                let diagnostic =
+                    diagnostic.also(first, "first declared here").hint("give one of them another name");
                 self.report(diagnostic);
                 continue;
             }
@@ -111,25 +121,50 @@ impl<'a> Checker<'a> {
         let ast = self.modules[module].ast;
         for item in &ast.items {
             let ast::ItemKind::Use(import) = &item.kind else { continue };
-            let Some(from) = self.find_module(&import.module) else { continue };
+            let Some(from) = self.find_module(&import.module) else {
+                self.modules[module].broken_use |= import.names.is_empty();
+                for name in &import.names {
+                    self.lost(module, name);
+                }
+                continue;
+            };
             for name in &import.names {
                 self.import_name(module, from, name);
             }
         }
     }
 
+    /// A name that could not be imported stands for what the library has by this name, or for nothing; either way it is
+    /// not missed again where it is used.
+    fn lost(&mut self, module: usize, name: &'a ast::Name) {
+        let found = self.modules.iter().find_map(|scope| match scope.public.get(name.text.as_str()) {
+            Some(symbol) if !scope.name.is_empty() => Some(*symbol),
+            _ => None,
+        });
+        let import = Import { symbol: found.unwrap_or(Symbol::Lost), span: name.span, used: true };
+        self.modules[module].imports.entry(&name.text).or_insert(import);
+    }
+
     fn import_name(&mut self, module: usize, from: usize, name: &'a ast::Name) {
         let Some(symbol) = self.modules[from].public.get(name.text.as_str()).copied() else {
             self.no_such_export(from, name);
+            self.lost(module, name);
             return;
         };
         let scope = &self.modules[module];
         let earlier = scope.imports.get(name.text.as_str()).map(|import| import.span);
         let own = scope.own.get(name.text.as_str()).map(|id| self.items[id.0 as usize].name_span);
         if let Some(other) = earlier.or(own) {
-            let message = format!("`{}` is both imported and declared, or imported twice", name.text);
+            let (message, label, hint) = match earlier {
+                Some(_) => ("is imported twice", "first imported here", "remove one of them"),
+                None => {
+                    let hint = "remove the import, or give the one declared here another name";
+                    ("is both imported and declared", "declared here", hint)
+                }
+            };
+            let message = format!("`{}` {message}", name.text);
             let diagnostic = Diagnostic::new(Code::E0302, name.span, message).label("imported here");
-            self.report(diagnostic.also(other, "the other one").hint("remove one of them"));
+            self.report(diagnostic.also(other, label).hint(hint));
             return;
         }
         let import = Import { symbol, span: name.span, used: false };
@@ -144,11 +179,18 @@ impl<'a> Checker<'a> {
             format!("`std.{}` has no `{}`", scope.name, name.text)
         };
         let mut diagnostic = Diagnostic::new(Code::E0304, name.span, message).label("not there");
-        let elsewhere = self.modules.iter().find(|other| other.public.contains_key(name.text.as_str()));
-        if let Some(suggestion) = did_you_mean(&name.text, scope.public.keys().copied()) {
-            diagnostic = diagnostic.hint(suggestion);
-        } else if let Some(other) = elsewhere {
-            diagnostic = diagnostic.hint(format!("`{}` is in `std.{}`", name.text, other.name));
+        let has = |other: &&ModuleScope<'_>| {
+            !other.name.is_empty() && other.public.contains_key(name.text.as_str())
+        };
+        if let Some(other) = self.modules.iter().find(has) {
+            diagnostic = match other.name {
+                "prelude" => {
+                    diagnostic.hint(format!("`{}` is known everywhere: it needs no import", name.text))
+                }
+                module => diagnostic.hint(format!("`{}` is in `std.{module}`", name.text)),
+            };
+        } else if let Some(candidate) = closest(&name.text, scope.public.keys().copied()) {
+            diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), name.span, candidate);
         } else {
             let names: Vec<&str> = scope.public.keys().copied().collect();
             diagnostic = diagnostic.note(format!("it has {}", names.join(", ")));
@@ -168,24 +210,30 @@ impl<'a> Checker<'a> {
         };
         let dotted: Vec<&str> = names.iter().map(|name| name.text.as_str()).collect();
         if let ["std", module] = dotted.as_slice()
-            && let Some(found) = self.modules.iter().position(|scope| scope.name == *module && *module != "prelude")
+            && let Some(found) =
+                self.modules.iter().position(|scope| scope.name == *module && *module != "prelude")
         {
             return Some(found);
         }
-        let known: Vec<String> = self.modules.iter().map(|scope| format!("std.{}", scope.name)).skip(2).collect();
+        let known: Vec<String> =
+            self.modules.iter().map(|scope| format!("std.{}", scope.name)).skip(2).collect();
         let written = dotted.join(".");
         let message = format!("there is no module `{written}`");
         let mut diagnostic = Diagnostic::new(Code::E0303, path.span(), message).label("not a module");
-        diagnostic = match did_you_mean(&written, known.iter().map(String::as_str)) {
-            Some(suggestion) => diagnostic.hint(suggestion),
-            None => diagnostic.note(format!("there are {}", known.join(", "))),
+        diagnostic = match closest(&written, known.iter().map(String::as_str)) {
+            Some(candidate) => diagnostic.fix(format!("did you mean `{candidate}`?"), path.span(), candidate),
+            None => diagnostic.note(format!("the modules of the library are {}", known.join(", "))),
         };
         self.report(diagnostic);
         None
     }
 
-    /// Warns of imports of the design that nothing uses.
+    /// Warns of imports of the design that nothing uses. Where there are errors nothing is said: what uses them may
+    /// stand in what could not be understood.
     pub(super) fn warn_unused_imports(&mut self) {
+        if self.diagnostics.has_errors() {
+            return;
+        }
         let unused: Vec<(String, Span)> = self.modules[0]
             .imports
             .iter()

@@ -2,6 +2,7 @@
 
 use super::{Evaluator, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::scalar::Scalar;
 use crate::source::Span;
 
 /// The most steps one evaluation may take.
@@ -18,7 +19,11 @@ pub(super) struct Budget {
     steps: u64,
     depth: u32,
     exhausted: bool,
+    symbolic: Option<u64>,
 }
+
+/// The most work spent on checking one ifs for all values of its parameters, in terms of polynomials.
+const MOST_SYMBOLIC_WORK: u64 = 500_000;
 
 impl Evaluator<'_> {
     /// Counts a step at an expression.
@@ -41,6 +46,33 @@ impl Evaluator<'_> {
         Err(Stop::Reported)
     }
 
+    /// From here on, work is that of a check for all values of parameters, which gives up in silence.
+    pub(super) fn begin_symbolic(&mut self) {
+        self.budget.symbolic = Some(MOST_SYMBOLIC_WORK);
+    }
+
+    /// Back to work that is reported when there is too much of it.
+    pub(super) fn end_symbolic(&mut self) {
+        self.budget.symbolic = None;
+    }
+
+    /// Counts arithmetic on these numbers with a factor of this cost; zeros cost nothing.
+    pub(super) fn work(&mut self, numbers: &[Scalar], factor: u64, span: Span) -> Outcome<()> {
+        let counted = numbers.iter().filter(|number| !number.is_zero());
+        let cost = counted.map(Scalar::cost).sum::<u64>().saturating_mul(factor);
+        match self.budget.symbolic {
+            None => self.spend(cost / 16, span),
+            Some(left) => {
+                self.budget.symbolic = left.checked_sub(cost);
+                if self.budget.symbolic.is_some() {
+                    return Ok(());
+                }
+                self.budget.symbolic = Some(0);
+                Err(Stop::Undetermined)
+            }
+        }
+    }
+
     /// Enters a nested expression; pair it with [`Evaluator::leave`].
     pub(super) fn enter(&mut self, span: Span) -> Outcome<()> {
         self.budget.depth += 1;
@@ -50,8 +82,11 @@ impl Evaluator<'_> {
         if !self.budget.exhausted {
             self.budget.exhausted = true;
             let message = format!("calls are nested more than {DEEPEST} deep");
-            let diagnostic = Diagnostic::new(Code::E0703, span, message).label("given up here");
-            self.report(diagnostic.hint("does a function call itself without an end?"));
+            let call = self.calls.last().copied().unwrap_or(span);
+            let diagnostic = Diagnostic::new(Code::E0703, call, message).label("given up here");
+            self.report(
+                diagnostic.hint("a function that calls itself needs an end: `if n <= 0 then … else …`"),
+            );
         }
         self.budget.depth -= 1;
         Err(Stop::Reported)
@@ -66,7 +101,8 @@ impl Evaluator<'_> {
         if elements <= MOST_ELEMENTS {
             return Ok(());
         }
-        let message = format!("a list of more than {MOST_ELEMENTS} elements");
-        Err(self.report(Diagnostic::new(Code::E0704, span, message).label("too long")))
+        let message = format!("this list has more than {MOST_ELEMENTS} elements");
+        let diagnostic = Diagnostic::new(Code::E0704, span, message).label("too long");
+        Err(self.report(diagnostic.hint("use shorter ranges")))
     }
 }

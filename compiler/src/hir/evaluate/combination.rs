@@ -7,10 +7,16 @@ use crate::hir::scalar::{Scalar, ScalarError};
 use crate::hir::tree::{Arithmetic, Expr};
 use crate::hir::value::{Combination, Terms, Value};
 use crate::source::Span;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 impl Evaluator<'_> {
-    pub(super) fn coordinates(&mut self, frame: &mut Frame, parts: &[Expr], weight: Scalar) -> Outcome<Value> {
+    pub(super) fn coordinates(
+        &mut self,
+        frame: &mut Frame,
+        parts: &[Expr],
+        weight: Scalar,
+    ) -> Outcome<Value> {
         let mut coordinates = Vec::with_capacity(parts.len());
         for part in parts {
             coordinates.push(self.scalar(frame, part)?);
@@ -37,6 +43,8 @@ impl Evaluator<'_> {
             let diagnostic = Diagnostic::new(Code::E0402, span, message).label("two and three coordinates");
             return Err(self.report(diagnostic.hint("give every point the same number of coordinates")));
         }
+        self.work(left.terms.scalars(), 1, span)?;
+        self.work(right.terms.scalars(), 1, span)?;
         let op = |a: &Scalar, b: &Scalar| match arithmetic {
             Arithmetic::Subtract => a.minus(b),
             _ => a.plus(b),
@@ -45,23 +53,63 @@ impl Evaluator<'_> {
         let numbers: Result<Vec<Scalar>, ScalarError> = zipped.map(|(a, b)| op(a, b)).collect();
         let numbers = numbers.map_err(|error| self.scalar_error(error, span))?;
         let weight = op(&left.weight, &right.weight).map_err(|error| self.scalar_error(error, span))?;
+        self.remember(span, [left.made, right.made]);
         Ok(combination(&left.terms, numbers, weight, span))
     }
 
-    pub(super) fn scale(&mut self, value: &Combination, factor: &Scalar, divide: bool, span: Span) -> Outcome<Value> {
+    pub(super) fn scale(
+        &mut self,
+        value: &Combination,
+        factor: &Scalar,
+        divide: bool,
+        span: Span,
+    ) -> Outcome<Value> {
         let factor = match value.terms {
             Terms::Weights(_) => exactly(factor.clone()).map_err(|error| self.scalar_error(error, span))?,
             Terms::Coordinates(_) => factor.clone(),
         };
+        self.work(value.terms.scalars(), factor.cost(), span)?;
         let op = |a: &Scalar| if divide { a.over(&factor) } else { a.times(&factor) };
         let numbers: Result<Vec<Scalar>, ScalarError> = value.terms.scalars().iter().map(op).collect();
         let numbers = numbers.map_err(|error| self.scalar_error(error, span))?;
         let weight = op(&value.weight).map_err(|error| self.scalar_error(error, span))?;
+        self.remember(span, [value.made, None]);
         Ok(combination(&value.terms, numbers, weight, span))
     }
 
+    /// Remembers what the sum at a place was made of.
+    fn remember(&mut self, span: Span, parts: [Option<Span>; 2]) {
+        let known = self.sums.entry(span).or_default();
+        for part in parts.into_iter().flatten().filter(|part| *part != span) {
+            if !known.contains(&part) {
+                known.push(part);
+            }
+        }
+    }
+
+    /// Whether a sum, or one that it was made of, has been found wrong already.
+    pub(super) fn is_known_wrong(&self, made: Span) -> bool {
+        let mut seen = BTreeSet::new();
+        let mut next = vec![made];
+        while let Some(sum) = next.pop() {
+            if self.wrong_sums.contains(&sum) {
+                return true;
+            }
+            if seen.insert(sum) {
+                next.extend(self.sums.get(&sum).into_iter().flatten());
+            }
+        }
+        false
+    }
+
     /// `(1 - t) a + t b`
-    pub(super) fn lerp(&mut self, a: &Combination, b: &Combination, t: &Scalar, span: Span) -> Outcome<Value> {
+    pub(super) fn lerp(
+        &mut self,
+        a: &Combination,
+        b: &Combination,
+        t: &Scalar,
+        span: Span,
+    ) -> Outcome<Value> {
         let rest = Scalar::one().minus(t).map_err(|error| self.scalar_error(error, span))?;
         let (first, second) = (self.scale(a, &rest, false, span)?, self.scale(b, t, false, span)?);
         match (first, second) {

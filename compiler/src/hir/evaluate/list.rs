@@ -29,6 +29,22 @@ impl Evaluator<'_> {
         span: Span,
         out: &mut Vec<Value>,
     ) -> Outcome<()> {
+        self.enter(span)?;
+        let outcome = stacker::maybe_grow(128 * 1024, 1024 * 1024, || {
+            self.clauses_here(frame, body, clauses, span, out)
+        });
+        self.leave();
+        outcome
+    }
+
+    fn clauses_here(
+        &mut self,
+        frame: &mut Frame,
+        body: &Expr,
+        clauses: &[Clause],
+        span: Span,
+        out: &mut Vec<Value>,
+    ) -> Outcome<()> {
         let Some((clause, rest)) = clauses.split_first() else {
             out.push(self.expr(frame, body)?);
             return self.length(out.len(), span);
@@ -86,7 +102,8 @@ impl Evaluator<'_> {
         let part = bounds.filter(|(from, to)| from <= to).and_then(|(from, to)| elements.get(from..to));
         let Some(part) = part else {
             let message = format!("there is no part {from}..{to} of a list of {}", elements.len());
-            let diagnostic = Diagnostic::new(Code::E0602, first.span, message).label(format!("is {from}..{to}"));
+            let diagnostic =
+                Diagnostic::new(Code::E0602, first.span, message).label(format!("is {from}..{to}"));
             return Err(self.report(diagnostic.hint(format!("parts lie within 0..{}", elements.len()))));
         };
         self.spend(part.len() as u64, first.span)?;

@@ -13,14 +13,14 @@ mod overrides;
 mod placement;
 mod symbolic;
 
-pub use expression::{quantity_words, words};
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
-pub use instance::{InstanceBody, InstanceTransform};
+pub use expression::{quantity_words, words};
+pub use instance::{InstanceBody, InstanceTransform, instance_name};
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};
 use super::value::{Instance, Value};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::exact::AtomId;
 use crate::source::Span;
 use std::collections::{BTreeMap, BTreeSet};
@@ -53,6 +53,14 @@ pub struct Evaluator<'a> {
     must_join: Vec<MustJoin>,
     /// Every ifs with an error in it, reported once.
     broken: BTreeSet<ItemId>,
+    /// The ifs with its arguments that is being worked out, for messages.
+    within: Option<String>,
+    /// The values that are being worked out.
+    open: BTreeSet<ItemId>,
+    /// What each sum of control points was made of, by the places they were made at.
+    sums: BTreeMap<Span, Vec<Span>>,
+    /// Sums found to be neither points nor vectors where one was needed; what is made of them is wrong for their sake.
+    wrong_sums: BTreeSet<Span>,
 }
 
 /// An ifs used where its pieces must join.
@@ -98,6 +106,10 @@ impl<'a> Evaluator<'a> {
             points: Vec::new(),
             must_join: Vec::new(),
             broken: BTreeSet::new(),
+            within: None,
+            open: BTreeSet::new(),
+            sums: BTreeMap::new(),
+            wrong_sums: BTreeSet::new(),
         }
     }
 
@@ -115,13 +127,27 @@ impl<'a> Evaluator<'a> {
             return known.clone();
         }
         let hir = self.hir;
+        if !self.open.insert(id) {
+            return Err(self.needs_itself(id));
+        }
         let outcome = match &hir.item(id).kind {
             ItemKind::Param(param) => self.parameter(id, param),
             ItemKind::Let(body) | ItemKind::Figure(body) => self.body(body),
             _ => Err(Stop::Reported),
         };
+        self.open.remove(&id);
         self.globals.insert(id, outcome.clone());
         outcome
+    }
+
+    /// A circle through a function, which the checker lets pass: what it gives is written down.
+    fn needs_itself(&mut self, id: ItemId) -> Stop {
+        let item = self.hir.item(id);
+        let message = format!("`{}` depends on itself", item.name);
+        let diagnostic = Diagnostic::new(Code::E0305, item.name_span, message).label("needs its own value");
+        let diagnostic = diagnostic.hint("give one of the definitions in the circle a value of its own");
+        self.calls.clear();
+        self.report(diagnostic)
     }
 
     /// The value of an expression with a frame of its own.
@@ -140,7 +166,12 @@ impl<'a> Evaluator<'a> {
     ///
     /// # Errors
     /// After a report.
-    pub fn in_block(&mut self, value: &super::tree::Expr, slots: u32, material: Option<&Value>) -> Outcome<Value> {
+    pub fn in_block(
+        &mut self,
+        value: &super::tree::Expr,
+        slots: u32,
+        material: Option<&Value>,
+    ) -> Outcome<Value> {
         let mut frame = Frame::new(slots.max(1));
         if let Some(material) = material {
             frame.set(LocalId(0), material.clone());
@@ -154,8 +185,18 @@ impl<'a> Evaluator<'a> {
     }
 
     fn report(&mut self, mut diagnostic: Diagnostic) -> Stop {
-        if let Some(call) = self.calls.iter().rev().find(|call| **call != diagnostic.span) {
+        let root = self.hir.root;
+        if diagnostic.span.file != root
+            && let Some(call) = self.calls.iter().rev().find(|call| call.file == root)
+        {
+            // What goes wrong inside the library is the matter of the line that called it.
+            let inside = std::mem::replace(&mut diagnostic.span, *call);
+            diagnostic = diagnostic.also(inside, "found here");
+        } else if let Some(call) = self.calls.iter().rev().find(|call| **call != diagnostic.span) {
             diagnostic = diagnostic.also(*call, "called here");
+        }
+        if let Some(within) = &self.within {
+            diagnostic = diagnostic.note(format!("in {within}"));
         }
         self.diagnostics.push(diagnostic);
         Stop::Reported

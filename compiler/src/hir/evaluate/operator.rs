@@ -27,6 +27,7 @@ impl Evaluator<'_> {
     ) -> Outcome<Value> {
         match (&left, &right) {
             (Value::Scalar(a), Value::Scalar(b)) => {
+                self.work(std::slice::from_ref(a), b.cost(), span)?;
                 let outcome = match arithmetic {
                     Arithmetic::Add => a.plus(b),
                     Arithmetic::Subtract => a.minus(b),
@@ -40,11 +41,15 @@ impl Evaluator<'_> {
             (Value::Combination(a), Value::Scalar(factor)) => {
                 let divide = arithmetic == Arithmetic::Divide;
                 if divide && factor.is_zero() {
-                    return Err(self.scalar_error(crate::hir::scalar::ScalarError::DivisionByZero, right_expr.span));
+                    return Err(
+                        self.scalar_error(crate::hir::scalar::ScalarError::DivisionByZero, right_expr.span)
+                    );
                 }
                 self.scale(a, factor, divide, span)
             }
-            (Value::Scalar(factor), Value::Combination(b)) => self.scale(b, factor, false, left_expr.span.to(span)),
+            (Value::Scalar(factor), Value::Combination(b)) => {
+                self.scale(b, factor, false, left_expr.span.to(span))
+            }
             _ => Err(Stop::Reported),
         }
     }
