@@ -22,11 +22,13 @@ pub(super) fn without(found: Vec<Diagnostic>, text: &str, parse: &Parse) -> Vec<
     let file = parse.diagnostics[0].span.file;
     let lost: BTreeSet<&str> =
         broken.iter().filter(|piece| piece.lost).flat_map(|piece| names(text, piece)).collect();
+    // An item whose very name is missing may be the one that others look for.
+    let nameless = broken.iter().any(|piece| piece.lost && declares_nothing(text, piece));
     let inside =
         |span: Span| span.file == file && broken.iter().any(|piece| piece.range.contains(&span.start));
     let names_lost = |diagnostic: &Diagnostic| {
         matches!(diagnostic.code, Code::E0301 | Code::E0409)
-            && text.get(diagnostic.span.range()).is_some_and(|name| lost.contains(name))
+            && (nameless || text.get(diagnostic.span.range()).is_some_and(|name| lost.contains(name)))
     };
     found.into_iter().filter(|diagnostic| !inside(diagnostic.span) && !names_lost(diagnostic)).collect()
 }
@@ -88,4 +90,11 @@ fn smallest(pieces: impl Iterator<Item = (u32, bool)>, end: u32, at: Span) -> Op
 fn names<'t>(text: &'t str, piece: &Piece) -> Vec<&'t str> {
     let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
     part.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty()).collect()
+}
+
+/// Whether no name follows the keyword of a lost item: `param = 27mm`.
+fn declares_nothing(text: &str, piece: &Piece) -> bool {
+    let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
+    let after = part.trim_start().trim_start_matches(|c: char| c.is_ascii_lowercase()).trim_start();
+    !after.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
 }
