@@ -28,7 +28,11 @@ pub(super) fn without(found: Vec<Diagnostic>, text: &str, parse: &Parse) -> Vec<
         matches!(diagnostic.code, Code::E0301 | Code::E0409)
             && text.get(diagnostic.span.range()).is_some_and(|name| lost.contains(name))
     };
-    found.into_iter().filter(|diagnostic| !inside(diagnostic.span) && !names_lost(diagnostic)).collect()
+    // What uses an import may stand in what could not be understood.
+    let stands = |diagnostic: &Diagnostic| {
+        diagnostic.code != Code::W0307 && !inside(diagnostic.span) && !names_lost(diagnostic)
+    };
+    found.into_iter().filter(stands).collect()
 }
 
 /// Whether an error of the parser leaves something out of the tree.
