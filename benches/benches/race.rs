@@ -22,8 +22,15 @@ fn main() {
 
 fn evaluation() {
     let (automaton, state) = (bezier3(), StateId(0));
-    let sheet =
-        SheetPlan { u: state, v: state, net_rows: 4, net_columns: 4, net: net(4, 4), levels: (10, 10), windows: false };
+    let sheet = SheetPlan {
+        u: state,
+        v: state,
+        net_rows: 4,
+        net_columns: 4,
+        net: net(4, 4),
+        levels: (10, 10),
+        windows: false,
+    };
     let mut grid = Vec::new();
     let reused = median(50, || SheetEvaluator::new(&automaton, &sheet).fill(&mut grid));
     let vertices = grid.len() as f64;
@@ -36,10 +43,14 @@ fn evaluation() {
     println!("bicubic shell, 1025 x 1025 vertices, one thread, Mvertices/s");
     println!("  ifs, reused buffer                     {:8.1}", rate(reused));
     println!("  ifs, fresh buffer                      {:8.1}", rate(fresh));
-    let peers = Command::new(python()).arg(root().join("benches/peers.py")).output().expect("run tests/setup.sh first");
+    let peers = Command::new(python())
+        .arg(root().join("benches/peers.py"))
+        .output()
+        .expect("run tests/setup.sh first");
     assert!(peers.status.success(), "{}", String::from_utf8_lossy(&peers.stderr));
     for line in String::from_utf8_lossy(&peers.stdout).lines() {
-        let Some(value) = line.strip_suffix(" Mvertices/s").and_then(|line| line.rsplit(' ').next()?.parse::<f64>().ok())
+        let Some(value) =
+            line.strip_suffix(" Mvertices/s").and_then(|line| line.rsplit(' ').next()?.parse::<f64>().ok())
         else {
             println!("  {line}");
             continue;
@@ -56,7 +67,11 @@ fn check(ifs: &Path) {
     let whole = median(50, || run(Command::new(ifs).arg("check").arg(&design)));
     println!("ifs check of a design of {lines} lines, whole process");
     println!("  ifs check                              {:8.2} ms", millis(whole));
-    println!("  a process that does nothing            {:8.2} ms   ratio {:.1}", millis(nothing), ratio(whole, nothing));
+    println!(
+        "  a process that does nothing            {:8.2} ms   ratio {:.1}",
+        millis(nothing),
+        ratio(whole, nothing)
+    );
 }
 
 fn million(ifs: &Path) {
@@ -81,7 +96,11 @@ fn million(ifs: &Path) {
     let (built, copied) = (middle(built), middle(copied));
     println!("ifs build --emit glb of 1,048,576 quads, whole process, {size:.0} MB flushed to disk");
     println!("  ifs build                              {:8.1} ms", millis(built));
-    println!("  copying the file it wrote              {:8.1} ms   ratio {:.2}", millis(copied), ratio(built, copied));
+    println!(
+        "  copying the file it wrote              {:8.1} ms   ratio {:.2}",
+        millis(copied),
+        ratio(built, copied)
+    );
     let _ = fs::remove_file(copy);
 }
 

@@ -13,7 +13,8 @@ pub struct Disk;
 
 impl Files for Disk {
     fn read(&self, path: &str) -> Result<Vec<u8>, ReadError> {
-        let read = if path == "-" { limited(io::stdin().lock()) } else { open(Path::new(path)).and_then(limited) };
+        let read =
+            if path == "-" { limited(io::stdin().lock()) } else { open(Path::new(path)).and_then(limited) };
         read.map_err(|error| match error.kind() {
             io::ErrorKind::NotFound => ReadError::NotFound,
             _ => ReadError::Other(words(&error)),

@@ -36,7 +36,11 @@ fn fabrication(text: &mut String, made: &Fabrication) {
     }
     for requirement in &made.requirements {
         let limit = requirement.limit.words(requirement.measure);
-        row(text, "  require", &format!("{} {limit}: holds for {}", requirement.measure.words(), requirement.result.total));
+        row(
+            text,
+            "  require",
+            &format!("{} {limit}: holds for {}", requirement.measure.words(), requirement.result.total),
+        );
     }
 }
 
@@ -74,8 +78,7 @@ fn plank_rows(text: &mut String, figure: &str, planks: &PlanksMade) {
 }
 
 fn range(values: impl Iterator<Item = f64>, unit: &str) -> String {
-    let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| {
-        (least.min(value), most.max(value))
-    });
+    let (least, most) = values
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
     if least > most { "none".to_owned() } else { format!("{least:.1} to {most:.1} {unit}") }
 }

@@ -44,7 +44,8 @@ pub fn tell(diagnostics: &[Diagnostic], sources: &SourceMap, format: MessageForm
             }
         }
     }
-    if diagnostics.len() > SHOWN_AT_MOST && format != MessageFormat::Json {
+    if diagnostics.len() > SHOWN_AT_MOST {
+        // For programs too: on stderr, so that every line of stdout stays a diagnostic.
         output::message(&format!("… and {} more\n", diagnostics.len() - SHOWN_AT_MOST));
     }
     if !diagnostics.is_empty() && format != MessageFormat::Json {
@@ -59,7 +60,8 @@ fn summary(errors: usize, warnings: usize) -> String {
         1 => Some(format!("1 {word}")),
         n => Some(format!("{n} {word}s")),
     };
-    let parts: Vec<String> = [count(errors, "error"), count(warnings, "warning")].into_iter().flatten().collect();
+    let parts: Vec<String> =
+        [count(errors, "error"), count(warnings, "warning")].into_iter().flatten().collect();
     parts.join(", ")
 }
 

@@ -10,10 +10,10 @@ use sha2::{Digest, Sha256};
 use super::lock::Lock;
 use super::manifest::{FileRecord, Manifest, Provenance};
 use super::names::{MANIFEST, check_relative, check_source};
-use ifs_compiler::outputs::names::hex;
 use super::place::Place;
 use super::replace::{self, Exchange};
 use super::{FolderError, foreign};
+use ifs_compiler::outputs::names::hex;
 
 /// A set of outputs in the making. Dropped without a commit it leaves no trace.
 #[derive(Debug)]

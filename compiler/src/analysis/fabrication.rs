@@ -7,15 +7,15 @@ use super::settings::{self, SettingValue};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Grain, Panel, PanelRefusal, PanelSettings, RefusedPanel, Side, panels};
-use crate::fabricate::plank::{Ends, Plank, PlankSettings, RefusedPlank, planks};
+use crate::fabricate::plank::{Ends, Plank, PlankError, PlankRefusal, PlankSettings, RefusedPlank, planks};
 use crate::geometry::QuadMesh;
 use crate::hir::evaluate::Evaluator;
 use crate::hir::schema::{Measure, SchemaKind};
 use crate::hir::tree::{Fabricate, Hir};
 use crate::hir::value::Value;
-use crate::planarize::{Outcome, Perturbation, perturb};
 use crate::plan::FigurePlan;
 use crate::plan::lower::Lowered;
+use crate::planarize::{Outcome, Perturbation, perturb};
 use glam::DVec3;
 use std::ops::ControlFlow;
 
@@ -130,7 +130,15 @@ impl Work<'_> {
         let material = self.setting("material").map(|(_, value, _)| value.clone());
         let mut limits: Vec<LimitValue> = Vec::new();
         for requirement in &self.block.requirements {
-            limits.push(evaluate_limit(self.hir, evaluator, self.block, requirement, material.as_ref())?);
+            let found = &mut self.diagnostics;
+            limits.push(evaluate_limit(
+                self.hir,
+                evaluator,
+                self.block,
+                requirement,
+                material.as_ref(),
+                found,
+            )?);
         }
         self.within_board_limit()?;
         let elements = match self.block.kind {
@@ -162,7 +170,8 @@ impl Work<'_> {
             return Some(());
         }
         let message = format!("this asks for {total} boards; the limit is {MOST_BOARDS}");
-        let diagnostic = Diagnostic::new(Code::E0701, self.block.figure_span, message).label("too many boards");
+        let diagnostic =
+            Diagnostic::new(Code::E0701, self.block.figure_span, message).label("too many boards");
         self.diagnostics.push(diagnostic.hint("lower the level of the figure"));
         None
     }
@@ -180,9 +189,11 @@ impl Work<'_> {
     fn wrong_shape(&mut self, figure: &FigurePlan, is: &str, makes: &str) {
         let kind = self.block.kind.name();
         let message = format!("`{figure}` is a {is}: {kind} cannot be made of it");
-        let diagnostic = Diagnostic::new(Code::E0802, self.block.kind_span, message).label(format!("not of a {is}"));
+        let diagnostic =
+            Diagnostic::new(Code::E0802, self.block.kind_span, message).label(format!("not of a {is}"));
         let figure_span = self.block.figure_span;
-        self.diagnostics.push(diagnostic.also(figure_span, format!("a {is}")).hint(format!("write `as {makes}`")));
+        self.diagnostics
+            .push(diagnostic.also(figure_span, format!("a {is}")).hint(format!("write `as {makes}`")));
     }
 
     fn refuse(&mut self, setting: &str, why: &str) {
@@ -215,8 +226,13 @@ impl Work<'_> {
                 }
             },
         };
-        let mut made =
-            PanelsMade { settings, perturbation, figures: Vec::new(), panels: Vec::new(), refused: Vec::new() };
+        let mut made = PanelsMade {
+            settings,
+            perturbation,
+            figures: Vec::new(),
+            panels: Vec::new(),
+            refused: Vec::new(),
+        };
         let figures: Vec<(usize, FigurePlan)> =
             self.figures().into_iter().map(|(place, figure)| (place, figure.clone())).collect();
         for (place, figure) in figures {
@@ -229,7 +245,9 @@ impl Work<'_> {
     /// The planarity that `require planarity >= …` asks for.
     fn goal(&self, limits: &[LimitValue]) -> Option<f64> {
         let required = self.block.requirements.iter().zip(limits);
-        required.filter(|(requirement, _)| requirement.measure == Measure::Planarity).find_map(|(_, limit)| limit.least())
+        required
+            .filter(|(requirement, _)| requirement.measure == Measure::Planarity)
+            .find_map(|(_, limit)| limit.least())
     }
 
     fn surface(&mut self, place: usize, figure: &FigurePlan, made: &mut PanelsMade) -> Option<()> {
@@ -282,16 +300,19 @@ impl Work<'_> {
         let message = format!("{} ({}) cannot be made: {reason}", label.alias, label.address);
         let mut diagnostic = Diagnostic::new(Code::E0805, span, message).label("asked for here");
         if refused.len() > 1 {
-            let others: Vec<&str> = refused[1..].iter().take(5).map(|(label, _)| label.alias.as_str()).collect();
+            let others: Vec<&str> =
+                refused[1..].iter().take(5).map(|(label, _)| label.alias.as_str()).collect();
             let more = if refused.len() > 6 { ", …" } else { "" };
-            diagnostic = diagnostic.note(format!("and {} more: {}{more}", refused.len() - 1, others.join(", ")));
+            diagnostic =
+                diagnostic.note(format!("and {} more: {}{more}", refused.len() - 1, others.join(", ")));
         }
         self.diagnostics.push(diagnostic.hint(hint));
     }
 
     fn planks(&mut self) -> Option<PlanksMade> {
         let (depth, width) = settings::size(&self.setting("section")?.1)?;
-        let number = |work: &Self, name: &str| work.setting(name).and_then(|(_, value, _)| Value::number(value));
+        let number =
+            |work: &Self, name: &str| work.setting(name).and_then(|(_, value, _)| Value::number(value));
         let settings = PlankSettings {
             material: settings::material(self.hir, &self.setting("material")?.1),
             depth,
@@ -309,11 +330,27 @@ impl Work<'_> {
         for (place, figure) in figures {
             self.curve(place, &figure, &mut made)?;
         }
-        let named: Vec<(&Label, String)> =
-            made.refused.iter().map(|refusal| (&refusal.label, refusal.reason.to_string())).collect();
-        let span = self.setting("stock").map_or(self.block.figure_span, |(_, _, span)| *span);
-        self.refused_elements(&named, span, "use longer stock, a smaller depth, or another level");
+        self.refused_planks(&made.refused);
         Some(made)
+    }
+
+    fn refused_planks(&mut self, refused: &[RefusedPlank]) {
+        let place = |name: &str| self.setting(name).map_or(self.block.figure_span, |(_, _, span)| *span);
+        let (stock, section, figure) = (place("stock"), place("section"), self.block.figure_span);
+        for (span, hint, is_meant) in [
+            (
+                stock,
+                "use longer stock, or a higher level: the planks get shorter",
+                too_long as fn(&PlankRefusal) -> bool,
+            ),
+            (section, "use a smaller depth, or a lower level: the planks get longer", cuts_cross),
+            (figure, "move the control points apart, or use a lower level", no_length),
+        ] {
+            let group = refused.iter().filter(|refusal| is_meant(&refusal.reason));
+            let named: Vec<(&Label, String)> =
+                group.map(|refusal| (&refusal.label, refusal.reason.to_string())).collect();
+            self.refused_elements(&named, span, hint);
+        }
     }
 
     fn curve(&mut self, place: usize, figure: &FigurePlan, made: &mut PlanksMade) -> Option<()> {
@@ -327,14 +364,39 @@ impl Work<'_> {
                 made.planks.extend(done.planks);
                 made.refused.extend(done.refused);
             }
+            Err(error @ PlankError::NoSection { what, .. }) => {
+                let given = ["gap", "stock"]
+                    .into_iter()
+                    .find(|setting| what.starts_with(setting) || what.ends_with(setting));
+                let setting = given.unwrap_or("section");
+                self.refuse(setting, &error.to_string());
+                return None;
+            }
             Err(error) => {
                 let why = format!("no planks can be made of `{figure}`: {error}");
-                let diagnostic = Diagnostic::new(Code::E0802, self.block.figure_span, why).label("this figure");
-                self.diagnostics.push(diagnostic);
+                let diagnostic =
+                    Diagnostic::new(Code::E0802, self.block.figure_span, why).label("this figure");
+                let hint = match error {
+                    PlankError::NotPlanar { .. } => "move its control points into one plane",
+                    _ => "are its control points and its level right?",
+                };
+                self.diagnostics.push(diagnostic.hint(hint));
                 return None;
             }
         }
         made.figures.push(PlankFigure { figure: place, points, labels });
         Some(())
     }
+}
+
+fn too_long(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::TooLong { .. })
+}
+
+fn cuts_cross(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::CutsCross { .. })
+}
+
+fn no_length(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::NoLength)
 }

@@ -14,6 +14,7 @@ pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigur
 pub use load::Library;
 pub use placed::{FigureGeometry, figure_geometry};
 pub use requirements::{LimitValue, RequirementResult};
+pub(crate) use settings::{field, number, text};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
@@ -53,11 +54,17 @@ impl Analysis {
         self.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error)
     }
 
-    /// The name of the design: that of its file without ending.
+    /// The name of the design: that of its file without ending; `stdin` for the standard input, `design` for a file
+    /// whose name is all ending or full stops.
     pub fn design_name(&self) -> String {
         let path = self.sources.get(self.root).map_or("", |source| source.path.as_str());
         let file = path.rsplit('/').next().unwrap_or(path);
-        file.strip_suffix(".ifs").unwrap_or(file).to_owned()
+        match file.strip_suffix(".ifs").unwrap_or(file) {
+            "-" if path == "-" => "stdin".to_owned(),
+            // Such names would make the output folder the one it should lie in.
+            "" | "." | ".." => "design".to_owned(),
+            name => name.to_owned(),
+        }
     }
 }
 

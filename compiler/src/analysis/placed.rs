@@ -21,7 +21,8 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
     match &figure.shape {
         Shape::Curve { state, points, level, .. } => {
             let basis = basis(plan.automaton(), *state, *level);
-            let points: Vec<DVec3> = curve_points(&basis, points).into_iter().map(DVec3::from_array).collect();
+            let points: Vec<DVec3> =
+                curve_points(&basis, points).into_iter().map(DVec3::from_array).collect();
             let near = |point: &DVec3| point.abs().max_element() <= LARGEST_COORDINATE && point.is_finite();
             points.iter().all(near).then_some(FigureGeometry::Curve(points))
         }
@@ -39,7 +40,10 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
 /// The names of a curve's segments, in order.
 pub(super) fn segment_labels(plan: &Plan, figure: &FigurePlan, count: usize) -> Vec<Label> {
     let addresses = FigureAddresses::new(plan.automaton(), figure);
-    (0..count as u64).filter_map(|index| addresses.segment(index)).map(|address| label(&address, None)).collect()
+    (0..count as u64)
+        .filter_map(|index| addresses.segment(index))
+        .map(|address| label(&address, None))
+        .collect()
 }
 
 /// The names of a surface's quads, row by row.

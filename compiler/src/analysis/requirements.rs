@@ -26,7 +26,9 @@ impl LimitValue {
     /// The least value that holds, where there is one.
     pub(super) fn least(&self) -> Option<f64> {
         match self {
-            LimitValue::Plain(Limit::AtLeast(least) | Limit::Within(least, _) | Limit::Above(least)) => Some(*least),
+            LimitValue::Plain(Limit::AtLeast(least) | Limit::Within(least, _) | Limit::Above(least)) => {
+                Some(*least)
+            }
             _ => None,
         }
     }
@@ -38,7 +40,7 @@ impl LimitValue {
             LimitValue::Plain(limit) => match limit {
                 Limit::AtLeast(value) => format!("at least {}", words(*value)),
                 Limit::AtMost(value) => format!("at most {}", words(*value)),
-                Limit::Within(from, to) => format!("within {} .. {}", words(*from), words(*to)),
+                Limit::Within(from, to) => format!("{} .. {}", words(*from), words(*to)),
                 Limit::Above(value) => format!("above {}", words(*value)),
                 Limit::Below(value) => format!("below {}", words(*value)),
                 Limit::Equal(value) => words(*value),
@@ -70,11 +72,20 @@ pub(super) fn evaluate_limit(
     block: &Fabricate,
     requirement: &Requirement,
     material: Option<&Value>,
+    diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<LimitValue> {
     let mut value = |expr: &tree::Expr| evaluator.in_block(expr, block.slots, material).ok();
     match &requirement.limit {
         tree::Limit::Within(from, to) => {
+            let span = from.span.to(to.span);
             let (from, to) = (value(from)?.number()?, value(to)?.number()?);
+            if from > to {
+                let words = |value: f64| quantity_words(value, requirement.measure.dimension());
+                let message = format!("nothing lies within {} .. {}", words(from), words(to));
+                let diagnostic = Diagnostic::new(Code::E0607, span, message).label("empty");
+                diagnostics.push(diagnostic.hint("write the smaller end first"));
+                return None;
+            }
             Some(LimitValue::Plain(Limit::Within(from, to)))
         }
         tree::Limit::Compare(comparison, expr) => {
@@ -133,7 +144,10 @@ fn failure(
     }
     if let Some((least, most)) = result.extremes {
         let words = |value: f64| quantity_words(value, measure.dimension());
-        diagnostic = diagnostic.note(format!("{} goes from {} to {}", measure.words(), words(least), words(most)));
+        let (least, most) = (words(least), words(most));
+        if least != most {
+            diagnostic = diagnostic.note(format!("{} goes from {least} to {most}", measure.words()));
+        }
     }
     for remedy in remedies.of(fabrication, place) {
         diagnostic = diagnostic.hint(remedy);
@@ -147,6 +161,8 @@ fn sentence(measure: Measure, measured: &Measured) -> String {
     let place = if measured.place.is_empty() { String::new() } else { format!(", {}", measured.place) };
     match measure {
         Measure::Overlap => format!("the joints {} are {value} apart", measured.place),
-        _ => format!("the {} of {} ({}{place}) is {value}", measure.words(), measured.alias, measured.address),
+        _ => {
+            format!("the {} of {} ({}{place}) is {value}", measure.words(), measured.alias, measured.address)
+        }
     }
 }

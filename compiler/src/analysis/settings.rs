@@ -11,7 +11,7 @@ use crate::source::Span;
 pub(super) type SettingValue = (&'static str, Value, Span);
 
 /// A field of a record by its name.
-pub(super) fn field<'v>(hir: &Hir, record: &'v Value, name: &str) -> Option<&'v Value> {
+pub(crate) fn field<'v>(hir: &Hir, record: &'v Value, name: &str) -> Option<&'v Value> {
     let Value::Record(id, values) = record else { return None };
     let ItemKind::Record(fields) = &hir.item(*id).kind else { return None };
     let index = fields.iter().position(|field| field.name == name)?;
@@ -19,12 +19,12 @@ pub(super) fn field<'v>(hir: &Hir, record: &'v Value, name: &str) -> Option<&'v 
 }
 
 /// A number of a record by the name of its field, in inner units.
-pub(super) fn number(hir: &Hir, record: &Value, name: &str) -> Option<f64> {
+pub(crate) fn number(hir: &Hir, record: &Value, name: &str) -> Option<f64> {
     field(hir, record, name)?.number()
 }
 
 /// A text of a record by the name of its field.
-pub(super) fn text(hir: &Hir, record: &Value, name: &str) -> Option<String> {
+pub(crate) fn text(hir: &Hir, record: &Value, name: &str) -> Option<String> {
     match field(hir, record, name)? {
         Value::Text(text) => Some(text.to_string()),
         _ => None,

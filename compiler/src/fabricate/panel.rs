@@ -154,7 +154,7 @@ impl fmt::Display for PanelRefusal {
             Self::Unroll(reason) => reason.fmt(out),
             Self::TooLarge { size, board: (length, width) } => write!(
                 out,
-                "it measures {:.1} mm by {:.1} mm and does not fit a sheet of {length} mm by {width} mm",
+                "it measures {:.1}mm by {:.1}mm and does not fit a board of {length}mm by {width}mm",
                 size.x, size.y
             ),
         }
@@ -185,9 +185,9 @@ pub enum PanelError {
 impl fmt::Display for PanelError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoThickness => out.write_str("boards need a material with a thickness above 0 mm"),
+            Self::NoThickness => out.write_str("boards need a material with a thickness above 0mm"),
             Self::NoBoard { board: (length, width) } => {
-                write!(out, "a sheet of {length} mm by {width} mm has no area")
+                write!(out, "a board of {length}mm by {width}mm has no area")
             }
             Self::DifferentMeshes => {
                 out.write_str("the designed and the planarized surface have different quads")

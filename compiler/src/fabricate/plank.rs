@@ -128,10 +128,10 @@ impl fmt::Display for PlankRefusal {
         match self {
             Self::NoLength => out.write_str("its segment of the curve has no length"),
             Self::CutsCross { inner_length } => {
-                write!(out, "its end cuts cross: the inner face would be {inner_length:.1} mm long")
+                write!(out, "its end cuts cross: the inner face would be {inner_length:.1}mm long")
             }
             Self::TooLong { needed, stock } => {
-                write!(out, "it takes {needed:.1} mm of a bar of {stock} mm")
+                write!(out, "it takes {needed:.1}mm of a bar of {stock}mm")
             }
         }
     }
@@ -174,9 +174,12 @@ impl fmt::Display for PlankError {
             Self::TooFewPoints => out.write_str("a curve needs two points to have planks"),
             Self::NotFinite { point } => write!(out, "point {point} has a coordinate that is not finite"),
             Self::NotPlanar { deviation } => {
-                write!(out, "planks need a curve in one plane; a point lies {deviation:.3} mm off it")
+                write!(out, "planks need a curve in one plane; a point lies {deviation:.3}mm off it")
             }
-            Self::NoSection { what, value } => write!(out, "the {what} is {value} mm"),
+            Self::NoSection { what, value } => {
+                let least = if what.starts_with("gap") { "is 0mm or more" } else { "is above 0mm" };
+                write!(out, "the {what} {least}, but here it is {value}mm")
+            }
             Self::WrongLabelCount { segments, labels } => {
                 write!(out, "{labels} labels for {segments} segments")
             }

@@ -119,10 +119,22 @@ pub const NATIVES: &[NativeDeclaration] = &[
     native(Native::Sin, "prelude", "sin", &[needs("angle", Takes::Angle)], "the sine of an angle"),
     native(Native::Cos, "prelude", "cos", &[needs("angle", Takes::Angle)], "the cosine of an angle"),
     native(Native::Tan, "prelude", "tan", &[needs("angle", Takes::Angle)], "the tangent of an angle"),
-    native(Native::Sqrt, "prelude", "sqrt", &[needs("x", Takes::Quantity)], "the square root; of an area, a length"),
+    native(
+        Native::Sqrt,
+        "prelude",
+        "sqrt",
+        &[needs("x", Takes::Quantity)],
+        "the square root; of an area, a length",
+    ),
     native(Native::Abs, "prelude", "abs", &[needs("x", Takes::Quantity)], "the number without its sign"),
     native(Native::Floor, "prelude", "floor", &[needs("x", Takes::Number)], "the whole number at or below"),
-    native(Native::Round, "prelude", "round", &[needs("x", Takes::Number)], "the nearest whole number, halves up"),
+    native(
+        Native::Round,
+        "prelude",
+        "round",
+        &[needs("x", Takes::Number)],
+        "the nearest whole number, halves up",
+    ),
     native(
         Native::Min,
         "prelude",
@@ -137,7 +149,13 @@ pub const NATIVES: &[NativeDeclaration] = &[
         &[needs("a", Takes::QuantityOrList), may("b", Takes::Quantity)],
         "the larger of two numbers, or the largest of a list",
     ),
-    native(Native::Sum, "prelude", "sum", &[needs("list", Takes::Quantities)], "the sum of a list of numbers"),
+    native(
+        Native::Sum,
+        "prelude",
+        "sum",
+        &[needs("list", Takes::Quantities)],
+        "the sum of a list of numbers",
+    ),
     native(Native::Len, "prelude", "len", &[needs("list", Takes::List)], "how many elements a list has"),
     native(
         Native::Lerp,
@@ -171,7 +189,12 @@ pub const NATIVES: &[NativeDeclaration] = &[
         Native::Sheet,
         "surfaces",
         "sheet",
-        &[needs("u", Takes::Ifs), needs("v", Takes::Ifs), needs("net", Takes::Net), may("closed", Takes::Closed)],
+        &[
+            needs("u", Takes::Ifs),
+            needs("v", Takes::Ifs),
+            needs("net", Takes::Net),
+            may("closed", Takes::Closed),
+        ],
         "the tensor product on every window of a larger net, joined",
     ),
 ];

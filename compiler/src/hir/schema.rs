@@ -22,8 +22,6 @@ pub enum ChoiceKind {
     Closed,
     /// How planarizing goes about it.
     PlanarizeMethod,
-    /// Whether a board is engraved.
-    Engraved,
 }
 
 /// One word of a choice.
@@ -53,7 +51,6 @@ impl ChoiceKind {
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[later("u"), later("v"), later("both")];
         const METHOD: &[Word] = &[now("perturbation"), later("projection")];
-        const ENGRAVED: &[Word] = &[now("none")];
         match self {
             ChoiceKind::Side => SIDE,
             ChoiceKind::Grain => GRAIN,
@@ -62,7 +59,6 @@ impl ChoiceKind {
             ChoiceKind::Pin => PIN,
             ChoiceKind::Closed => CLOSED,
             ChoiceKind::PlanarizeMethod => METHOD,
-            ChoiceKind::Engraved => ENGRAVED,
         }
     }
 
@@ -148,7 +144,12 @@ fn panels() -> Vec<Setting> {
     let mut settings = vec![
         setting("material", Type::Material, true, "what the boards are cut from; it gives the thickness"),
         setting("board", Type::Size, true, "the size of a raw board, length by width"),
-        setting("side", Type::Choice(ChoiceKind::Side), false, "where the design surface lies in the thickness"),
+        setting(
+            "side",
+            Type::Choice(ChoiceKind::Side),
+            false,
+            "where the design surface lies in the thickness",
+        ),
         setting("grain", Type::Choice(ChoiceKind::Grain), false, "the direction the grain runs"),
         setting("edges", Type::Choice(ChoiceKind::Edges), false, "how the edges are cut"),
         setting("planarize", Type::Settings(SchemaKind::Planarize), false, "make the quads flat first"),
@@ -171,7 +172,7 @@ fn planks() -> Vec<Setting> {
 
 fn shop() -> Vec<Setting> {
     vec![
-        library("address", "Engraving", false, "how the alias is engraved; `none` for not at all"),
+        library("address", "Engraving", false, "how the alias is engraved"),
         library("machine", "Machine", false, "the machine that cuts; without it no NC program is written"),
         not_yet("scale", "a model of the building"),
         not_yet("nest", "nesting on sheets"),
@@ -211,6 +212,16 @@ pub enum Measure {
 }
 
 impl Measure {
+    /// All of them.
+    pub const ALL: [Measure; 6] = [
+        Measure::Planarity,
+        Measure::Edge,
+        Measure::Length,
+        Measure::Mitre,
+        Measure::Overlap,
+        Measure::BendRadius,
+    ];
+
     /// The measure of these words, where the program has it.
     pub fn named(words: &str) -> Option<Measure> {
         match words {

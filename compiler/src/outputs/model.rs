@@ -1,5 +1,6 @@
 //! The model of a design: every figure in space with what is made of it.
 
+use crate::analysis::LimitValue;
 use crate::analysis::{Analysis, Elements, Fabrication, FigureGeometry, PanelsMade, figure_geometry};
 use crate::export::glb::{Curve, Figure, GlbError, Model, Panelled, Part, Surface, write_glb};
 use crate::fabricate::checks::Limit;
@@ -7,7 +8,6 @@ use crate::geometry::QuadMesh;
 use crate::hir::schema::Measure;
 use crate::hir::tree::ItemId;
 use crate::planarize::Perturbation;
-use crate::analysis::LimitValue;
 use glam::DVec3;
 use std::io;
 
@@ -93,7 +93,9 @@ fn built(made: &Fabrication, place: usize) -> Option<(QuadMesh, (QuadMesh, f64))
 fn required(made: &Fabrication, panels: &PanelsMade) -> f64 {
     let mut limits = made.requirements.iter().filter(|requirement| requirement.measure == Measure::Planarity);
     let least = limits.find_map(|requirement| match requirement.limit {
-        LimitValue::Plain(Limit::AtLeast(least) | Limit::Within(least, _) | Limit::Above(least)) => Some(least),
+        LimitValue::Plain(Limit::AtLeast(least) | Limit::Within(least, _) | Limit::Above(least)) => {
+            Some(least)
+        }
         _ => None,
     });
     let aim = panels.perturbation.as_ref().map(|options| options.threshold);
@@ -114,10 +116,10 @@ impl OwnedFigure {
         let surfaces = self.surfaces.iter().map(|surface| Surface {
             address: &surface.address,
             designed: &surface.designed,
-            panelled: surface.built.as_ref().map(|(planarized, required)| Panelled {
-                planarized,
-                required: *required,
-            }),
+            panelled: surface
+                .built
+                .as_ref()
+                .map(|(planarized, required)| Panelled { planarized, required: *required }),
         });
         let parts: Vec<Part<'_>> = match self.made.as_ref().map(|made| &made.elements) {
             Some(Elements::Panels(made)) => made.panels.iter().map(Part::from).collect(),

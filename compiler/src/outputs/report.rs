@@ -11,8 +11,8 @@ use crate::export::report::{
 use crate::fabricate::label::Label;
 use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 use crate::hir::schema::Measure;
-use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
 use crate::plan::Shape;
+use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
 
 /// The report with the parts of each block.
 pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
@@ -27,7 +27,9 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
             .map(|(figure, count)| {
                 let (kind, level) = match &figure.shape {
                     Shape::Curve { level, .. } => ("curve", level.to_string()),
-                    Shape::Sheet(sheet) if sheet.levels.0 == sheet.levels.1 => ("surface", sheet.levels.0.to_string()),
+                    Shape::Sheet(sheet) if sheet.levels.0 == sheet.levels.1 => {
+                        ("surface", sheet.levels.0.to_string())
+                    }
                     Shape::Sheet(sheet) => ("surface", format!("({}, {})", sheet.levels.0, sheet.levels.1)),
                 };
                 let (name, kind) = (figure.to_string(), kind.to_owned());
@@ -63,13 +65,18 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
         },
         counts: Counts { elements: counts.0 + counts.1, made: counts.0, refused: counts.1 },
         planarity,
-        requirements: made.requirements.iter().map(|requirement| requirement_report(analysis, requirement)).collect(),
+        requirements: made
+            .requirements
+            .iter()
+            .map(|requirement| requirement_report(analysis, requirement))
+            .collect(),
         parts,
     }
 }
 
 fn requirement_report(analysis: &Analysis, requirement: &RequirementResult) -> Requirement {
-    let text = analysis.sources.get(requirement.span.file).map_or("", |source| source.slice(requirement.span));
+    let text =
+        analysis.sources.get(requirement.span.file).map_or("", |source| source.slice(requirement.span));
     let quantity = match requirement.measure {
         Measure::Planarity => Quantity::Planarity,
         Measure::Mitre => Quantity::Angle,
@@ -81,7 +88,8 @@ fn requirement_report(analysis: &Analysis, requirement: &RequirementResult) -> R
 /// All surfaces of a block together; planarizing is told for each of them in turn.
 fn planarity(panels: &PanelsMade) -> Option<PlanarityReport> {
     let labels: Vec<&Label> = panels.figures.iter().flat_map(|figure| &figure.labels).collect();
-    let address = |quad: u32| labels.get(quad as usize).map_or_else(String::new, |label| label.address.clone());
+    let address =
+        |quad: u32| labels.get(quad as usize).map_or_else(String::new, |label| label.address.clone());
     let summary = |mesh: fn(&crate::analysis::PanelFigure) -> &QuadMesh| {
         let quads = panels.figures.iter().flat_map(|figure| {
             let mesh = mesh(figure);

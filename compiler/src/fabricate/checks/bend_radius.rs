@@ -42,8 +42,8 @@ pub fn bend_radius(panels: &[Panel], limit: BendLimit) -> CheckResult {
 fn place(axis_to_grain: Option<f64>, needed: f64) -> String {
     match axis_to_grain {
         Some(angle) => {
-            format!("bend axis at {:.1} deg to the grain, needs {needed:.0} mm", angle.to_degrees())
+            format!("bend axis at {:.1}deg to the grain, needs {needed:.0}mm", angle.to_degrees())
         }
-        None => format!("grain free, needs {needed:.0} mm"),
+        None => format!("grain free, needs {needed:.0}mm"),
     }
 }

@@ -85,7 +85,7 @@ fn bends_against_the_grain() {
     }
     let radius = found.measured[0].value;
     let free = bend_radius(&boards(Grain::Free, 40.0), BendLimit::Grain(LEAST));
-    assert_eq!(free.measured[0].place, "grain free, needs 3658 mm");
+    assert_eq!(free.measured[0].place, "grain free, needs 3658mm");
     let plain =
         |limit: f64| bend_radius(&boards(Grain::Free, 40.0), BendLimit::Radius(Limit::AtLeast(limit)));
     assert!(plain(radius - 1.0).holds() && !plain(radius + 1.0).holds());

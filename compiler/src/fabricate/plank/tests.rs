@@ -83,7 +83,7 @@ fn what_cannot_be_a_plank() {
     let made = make(&double, &settings(Ends::Mitred));
     assert_eq!((made.planks.len(), made.refused[0].reason), (1, PlankRefusal::NoLength));
     let made = make(&knee(), &PlankSettings { stock: 620.0, ..settings(Ends::Mitred) });
-    assert_eq!(made.refused[1].reason.to_string(), "it takes 624.9 mm of a bar of 620 mm");
+    assert_eq!(made.refused[1].reason.to_string(), "it takes 624.9mm of a bar of 620mm");
     assert_eq!(made.refused[1].label.address, "rib.1");
 }
 

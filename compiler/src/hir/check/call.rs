@@ -4,7 +4,7 @@ use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::schema::SchemaKind;
-use crate::hir::tree::{Expr, ExprKind, ItemId, ItemKind, SettingValue};
+use crate::hir::tree::{Expr, ExprKind, ItemId, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
@@ -22,33 +22,40 @@ impl Checker<'_> {
             if callee.ty == Type::Error {
                 return error_expr(span);
             }
-            return self.not_callable("this", callee.span, span);
+            let message = format!("{} cannot be called", self.described(&callee.ty));
+            return self.not_callable(message, callee.span, None, span);
         };
         if name == "self" {
             return self.self_with_arguments(frame, callee, arguments, span);
         }
-        if frame.locals.iter().any(|local| local.name == *name) {
-            return self.not_callable(&format!("`{name}`"), callee.span, span);
+        if let Some(local) = frame.locals.iter().rev().find(|local| local.name == *name) {
+            let message = format!("`{name}` is no function: it is {}", self.described(&local.ty));
+            return self.not_callable(message, callee.span, Some(local.span), span);
         }
         match self.symbol(frame.module, name, callee.span) {
-            Some(Symbol::Native(native)) => self.native(frame, native, arguments, span),
+            Some(Symbol::Native(native)) => self.native(frame, native, arguments, callee.span, span),
             Some(Symbol::Item(id)) => self.call_item(frame, id, callee.span, arguments, span),
             Some(Symbol::Later) => self.later(name, callee.span),
-            found @ (Some(Symbol::Missing) | None) => {
+            symbol @ (Some(Symbol::Lost) | None) => {
                 for argument in arguments {
                     self.expr(frame, &argument.value, None);
                 }
-                if found.is_none() {
-                    self.unknown(frame, name, callee.span);
+                if symbol.is_none() {
+                    self.unknown(frame, name, callee.span, "fn");
                 }
                 error_expr(span)
             }
         }
     }
 
-    fn not_callable(&mut self, what: &str, at: Span, span: Span) -> Expr {
-        let message = format!("{what} is no function and cannot be called");
-        self.report(Diagnostic::new(Code::E0408, at, message).label("not a function"));
+    fn not_callable(&mut self, message: String, at: Span, declared: Option<Span>, span: Span) -> Expr {
+        let mut diagnostic = Diagnostic::new(Code::E0408, at, message).label("not a function");
+        if let Some(declared) = declared {
+            diagnostic = diagnostic.also(declared, "declared here");
+        }
+        self.report(
+            diagnostic.hint("a product is written with `*`, an element of a list is picked with `[…]`"),
+        );
         error_expr(span)
     }
 
@@ -77,14 +84,20 @@ impl Checker<'_> {
         let kind = &self.declared[id.0 as usize].item.kind;
         let callable =
             matches!(kind, ast::ItemKind::Function(_) | ast::ItemKind::Record(_) | ast::ItemKind::Ifs(_));
-        if !callable {
-            return self.not_callable(&format!("`{name}`"), at, span);
-        }
         self.ensure_checked(id, at);
-        if matches!(kind, ast::ItemKind::Ifs(_)) && self.is_broken(id) {
+        if self.is_broken(id) {
+            for argument in arguments {
+                self.expr(frame, &argument.value, None);
+            }
             return error_expr(span);
         }
-        let bound = self.bind_item(frame, id, &name, arguments, span);
+        if !callable {
+            let ty = self.types.get(&id).cloned().unwrap_or(Type::Error);
+            let message = format!("`{name}` is no function: it is {}", self.described(&ty));
+            let declared = self.items[id.0 as usize].name_span;
+            return self.not_callable(message, at, Some(declared), span);
+        }
+        let bound = self.bind_item(frame, id, &name, arguments, at, span);
         let Some(values) = bound else { return error_expr(span) };
         let result = self.signature(id).result.or_else(|| self.types.get(&id).cloned());
         let (kind, ty) = match self.declared[id.0 as usize].item.kind {
@@ -102,10 +115,11 @@ impl Checker<'_> {
         id: ItemId,
         name: &str,
         arguments: &[ast::Argument],
+        at: Span,
         span: Span,
     ) -> Option<Vec<Expr>> {
         let parameters = self.signature(id).parameters;
-        let bound = self.bind(frame, name, &parameters, arguments, span);
+        let bound = self.bind(frame, name, &parameters, arguments, at);
         let values =
             bound.into_iter().zip(parameters).enumerate().map(|(index, (value, parameter))| match value {
                 Some(value) => Some(value),
@@ -119,7 +133,7 @@ impl Checker<'_> {
     pub(super) fn ifs_without_arguments(&mut self, id: ItemId, span: Span) -> Expr {
         let name = self.items[id.0 as usize].name.clone();
         let mut frame = Frame::new(self.declared[id.0 as usize].module);
-        match self.bind_item(&mut frame, id, &name, &[], span) {
+        match self.bind_item(&mut frame, id, &name, &[], span, span) {
             Some(values) => Expr { kind: ExprKind::Ifs(id, values), ty: Type::Ifs, span },
             None => error_expr(span),
         }
@@ -138,7 +152,7 @@ impl Checker<'_> {
             Some(Type::Record(id)) => {
                 let name = self.items[id.0 as usize].name.clone();
                 self.ensure_checked(*id, span);
-                match self.bind_item(frame, *id, &name, fields, span) {
+                match self.bind_item(frame, *id, &name, fields, span, span) {
                     Some(values) => Expr { kind: ExprKind::Record(*id, values), ty: Type::Record(*id), span },
                     None => error_expr(span),
                 }
@@ -196,22 +210,25 @@ impl Checker<'_> {
             if base.ty.is_figure() && name.text == "boards" {
                 return self.later(&name.text, name.span);
             }
-            let ty = self.type_in_words(&base.ty);
+            let ty = self.described(&base.ty);
             let message = format!("{ty} has no fields");
-            self.report(Diagnostic::new(Code::E0407, name.span, message).label(format!("no field of {ty}")));
+            let mut diagnostic =
+                Diagnostic::new(Code::E0407, name.span, message).label("nothing to name here");
+            if matches!(base.ty, Type::List(_)) {
+                diagnostic =
+                    diagnostic.hint("the number of elements of a list is `len(list)`, an element `list[0]`");
+            }
+            self.report(diagnostic);
             return error_expr(span);
         };
         self.ensure_checked(id, span);
-        let ItemKind::Record(fields) = &self.items[id.0 as usize].kind else { return error_expr(span) };
+        // A record is known by its signature even while its defaults are being checked.
+        let fields = self.signature(id).parameters;
         let Some(index) = fields.iter().position(|field| field.name == name.text) else {
             let known: Vec<String> = fields.iter().map(|field| field.name.clone()).collect();
             let record = self.items[id.0 as usize].name.clone();
-            self.unknown_word(
-                Code::E0407,
-                name,
-                &format!("field of `{record}`"),
-                known.iter().map(String::as_str),
-            );
+            let message = format!("`{record}` has no field `{}`", name.text);
+            self.unknown_word(Code::E0407, name, message, known.iter().map(String::as_str));
             return error_expr(span);
         };
         let ty = fields[index].ty.clone();

@@ -26,9 +26,9 @@ impl Checker<'_> {
         let mut ty = Type::Error;
         for element in &elements {
             let Some(joined) = ty.join(&element.ty) else {
-                let (first, other) = (self.type_name(&ty), self.type_name(&element.ty));
+                let (first, other) = (self.described(&ty), self.described(&element.ty));
                 let message =
-                    format!("the elements of a list are of one type, but these are {first} and {other}");
+                    format!("the elements of a list are of one kind, but here are {first} and {other}");
                 let diagnostic = Diagnostic::new(Code::E0410, element.span, message).label(other);
                 self.report(diagnostic.also(elements[0].span, first));
                 return error_expr(span);
@@ -77,9 +77,9 @@ impl Checker<'_> {
             Type::List(element) => (**element).clone(),
             Type::Error => Type::Error,
             other => {
-                let name = self.type_in_words(other);
-                let message = format!("`for` goes through a range or a list, but this is {name}");
-                let diagnostic = Diagnostic::new(Code::E0401, over.span, message).label(name);
+                let is = self.described(other);
+                let message = format!("`for` goes through a range or a list, but this is {is}");
+                let diagnostic = Diagnostic::new(Code::E0401, over.span, message).label(is);
                 self.report(diagnostic.hint("write `0..n` for the numbers from 0 to n - 1"));
                 Type::Error
             }
@@ -108,7 +108,7 @@ impl Checker<'_> {
         for index in &indices {
             match ty {
                 Type::List(element) => ty = *element,
-                other => return self.not_a_list(&other, index, span),
+                other => return self.not_a_list(&other, (&base, index), span),
             }
         }
         match indices.iter().position(|index| index.ty != Type::IntRange) {
@@ -123,10 +123,19 @@ impl Checker<'_> {
                 })
             }
             _ => {
-                let at = indices.iter().find(|index| !matches!(index.ty, Type::Int | Type::IntRange));
-                let at = at.or(indices.first()).map_or(span, |index| index.span);
-                let message = "in brackets stand whole numbers, or ranges of them, not both";
-                let diagnostic = Diagnostic::new(Code::E0401, at, message).label("does not fit here");
+                let other = indices.iter().find(|index| !matches!(index.ty, Type::Int | Type::IntRange));
+                let at = other.or(indices.first()).map_or(span, |index| index.span);
+                let (message, label) = match other {
+                    Some(other) => {
+                        let is = self.described(&other.ty);
+                        (format!("elements are picked by whole numbers, but this is {is}"), is)
+                    }
+                    None => {
+                        let message = "in brackets stand whole numbers, or ranges of them, not both";
+                        (message.to_owned(), "does not fit the other".to_owned())
+                    }
+                };
+                let diagnostic = Diagnostic::new(Code::E0401, at, message).label(label);
                 self.report(diagnostic.hint(
                     "`list[3]` is an element, `list[0..4]` a part, `grid[0..4, 2..6]` a part of a grid",
                 ));
@@ -135,10 +144,15 @@ impl Checker<'_> {
         }
     }
 
-    fn not_a_list(&mut self, ty: &Type, index: &Expr, span: Span) -> Expr {
-        let name = self.type_in_words(ty);
-        let message = format!("{name} has no elements");
-        self.report(Diagnostic::new(Code::E0401, index.span, message).label("nothing to pick from"));
+    fn not_a_list(&mut self, ty: &Type, (base, index): (&Expr, &Expr), span: Span) -> Expr {
+        let is = self.described(ty);
+        let diagnostic = if base.ty == *ty {
+            Diagnostic::new(Code::E0401, base.span, format!("{is} has no elements")).label("not a list")
+        } else {
+            let message = format!("there is one index too many: the elements are each {is}");
+            Diagnostic::new(Code::E0401, index.span, message).label("nothing to pick from")
+        };
+        self.report(diagnostic);
         error_expr(span)
     }
 }

@@ -58,14 +58,19 @@ impl Checker<'_> {
     }
 
     fn mismatch(&mut self, value: &Expr, expected: &Type) {
-        let (mut from, mut to) = (self.type_name(&value.ty), self.type_name(expected));
-        if from == to {
-            from.push_str(whereabouts(&value.ty));
-            to.push_str(whereabouts(expected));
+        let (mut from, to) = (self.described(&value.ty), self.described(expected));
+        let plain = value.ty.dimension() == Some(Dimension::NUMBER);
+        if plain && expected.dimension().is_some_and(|dimension| dimension != Dimension::NUMBER) {
+            from = "a number without a unit".to_owned();
+        } else if plain && *expected == Type::Int {
+            from = "a number that may have decimals".to_owned();
         }
-        let message = format!("{} {to} is needed, but this is {} {from}", article(&to), article(&from));
-        let label = format!("{} {from}", article(&from));
-        let mut diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(label);
+        let message = format!("{to} is needed, but this is {from}");
+        let mut diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(from);
+        if let ExprKind::Global(id) = value.kind {
+            let item = &self.items[id.0 as usize];
+            diagnostic = diagnostic.also(item.name_span, format!("`{}` is declared here", item.name));
+        }
         if let Some(hint) = self.mend(value, expected) {
             diagnostic = hint(diagnostic);
         }
@@ -87,8 +92,13 @@ impl Checker<'_> {
             }
             Type::Quantity(dimension) if plain && *dimension != Dimension::NUMBER => {
                 let unit = dimension.display_unit().0;
-                if unit.is_empty() || !matches!(value.kind, ExprKind::Scalar(_)) {
+                if unit.is_empty() {
                     return None;
+                }
+                if !matches!(value.kind, ExprKind::Scalar(_)) {
+                    let text =
+                        format!("give it a unit where it is declared, or multiply by one: `… * 1{unit}`");
+                    return Some(Box::new(move |diagnostic| diagnostic.hint(text)));
                 }
                 let after = span.after();
                 let text = format!("add a unit, such as `{unit}`");
@@ -102,6 +112,22 @@ impl Checker<'_> {
             Type::Int if plain => {
                 Some(Box::new(|diagnostic| diagnostic.hint("use a whole number, or `round(…)`")))
             }
+            Type::Quantity(Dimension::ANGLE) if value.ty.dimension().is_some() => {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("angles are written with `deg` or `rad`: `30deg`")
+                }))
+            }
+            Type::Point(_) if matches!(value.ty, Type::Vector(_)) => Some(Box::new(|diagnostic| {
+                diagnostic.hint("the difference of two points is a vector: add it to a point to get a point")
+            })),
+            Type::Vector(_) if matches!(value.ty, Type::Point(_)) => Some(Box::new(|diagnostic| {
+                diagnostic.hint("a vector is the difference of two points: `q - p`")
+            })),
+            Type::Germ => Some(Box::new(|diagnostic| diagnostic.hint("write `germ segment(p, q)`"))),
+            Type::Bool => Some(Box::new(|diagnostic| {
+                diagnostic.hint("a condition is a comparison such as `a > b`, or `true` or `false`")
+            })),
+            Type::Size => Some(Box::new(|diagnostic| diagnostic.hint("a size is written `120mm by 27mm`"))),
             Type::Material => {
                 Some(Box::new(|diagnostic| {
                     diagnostic.hint("a material is a record with a `thickness` or a `density`, such as `birch_plywood(12mm)`")
@@ -125,23 +151,5 @@ fn narrowed(from: &Type, to: &Type) -> Type {
         (Type::Point(_), Some(space)) => Type::Point(space),
         (Type::Vector(_), Some(space)) => Type::Vector(space),
         _ => to.clone(),
-    }
-}
-
-/// Where points and vectors live, for messages about two that would otherwise read alike.
-fn whereabouts(ty: &Type) -> &'static str {
-    match ty.point_space() {
-        Some(PointSpace::Plane) => " of the plane",
-        Some(PointSpace::Space) => " in space",
-        Some(PointSpace::Control) => " made of control points",
-        _ => "",
-    }
-}
-
-/// `a` or `an`, by the first letter; nothing before words in quotes.
-pub(super) fn article(word: &str) -> &'static str {
-    match word.chars().next() {
-        Some('A' | 'E' | 'I' | 'O' | 'U' | 'a' | 'e' | 'i' | 'o' | 'u') => "an",
-        _ => "a",
     }
 }

@@ -81,9 +81,10 @@ impl Checker<'_> {
 
     fn word(&mut self, kind: ChoiceKind, name: &str, span: Span) -> Expr {
         let Some(position) = kind.position(name) else {
-            let words = kind.words().iter().map(|word| word.name);
+            let words = kind.words().iter().filter(|word| word.available).map(|word| word.name);
+            let message = format!("`{name}` is none of the words that can stand here");
             let name = ast::Name { text: name.to_owned(), span };
-            self.unknown_word(Code::E0411, &name, "choice", words);
+            self.unknown_word(Code::E0411, &name, message, words);
             return error_expr(span);
         };
         if !kind.words()[position].available {
@@ -97,7 +98,8 @@ impl Checker<'_> {
             return Expr { kind: ExprKind::SelfIfs, ty: Type::Ifs, span };
         }
         let message = "`self` stands for the ifs around, and there is none here";
-        self.report(Diagnostic::new(Code::E0301, span, message).label("outside of an ifs"));
+        let diagnostic = Diagnostic::new(Code::E0301, span, message).label("outside of an ifs");
+        self.report(diagnostic.hint("name the ifs instead"));
         error_expr(span)
     }
 
@@ -138,8 +140,9 @@ impl Checker<'_> {
         let yes = self.expr(frame, yes, expected);
         let no = self.expr(frame, no, expected);
         let Some(ty) = yes.ty.join(&no.ty) else {
-            let (a, b) = (self.type_name(&yes.ty), self.type_name(&no.ty));
-            let message = format!("both branches must be of one type, but these are {a} and {b}");
+            let (a, b) = (self.described(&yes.ty), self.described(&no.ty));
+            let message =
+                format!("after `then` and `else` stand values of one type, but these are {a} and {b}");
             let diagnostic = Diagnostic::new(Code::E0401, no.span, message).label(b);
             self.report(diagnostic.also(yes.span, a));
             return error_expr(span);

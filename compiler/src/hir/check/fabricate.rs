@@ -3,25 +3,21 @@
 use super::scope::Symbol;
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
-use crate::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
-use crate::hir::tree::{Expr, ExprKind, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
+use crate::hir::schema::{Measure, SchemaKind, SettingType};
+use crate::hir::tree::{Expr, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
-use crate::syntax::ast;
+use crate::syntax::{MEASURES, ast};
 
 impl Checker<'_> {
-    pub(super) fn fabricate(&mut self, block: &ast::Fabricate, span: Span) {
+    pub(super) fn fabricate(&mut self, block: &ast::Fabricate) {
         let figure = self.fabricated_figure(block);
         let kind = match block.kind.text.as_str() {
             "panels" => SchemaKind::Panels,
             "planks" => SchemaKind::Planks,
             _ => {
-                self.unknown_word(
-                    Code::E0411,
-                    &block.kind,
-                    "kind of element",
-                    ["panels", "planks"].into_iter(),
-                );
+                let message = format!("no boards are made as `{}`", block.kind.text);
+                self.unknown_word(Code::E0411, &block.kind, message, ["panels", "planks"].into_iter());
                 return;
             }
         };
@@ -36,7 +32,7 @@ impl Checker<'_> {
         }
         let broken = block.entries.iter().any(|entry| entry.kind == ast::EntryKind::Error);
         if !broken {
-            self.required_settings(block, kind, span);
+            self.required_settings(block, kind);
         }
         let material = settings.iter().find(|setting| setting.name == "material");
         let material = material.map_or(Type::Error, |setting| setting.value.ty.clone());
@@ -67,9 +63,9 @@ impl Checker<'_> {
         let name = &block.figure;
         let id = match self.symbol(0, &name.text, name.span) {
             Some(Symbol::Item(id)) => id,
-            Some(Symbol::Missing) => return None,
+            Some(Symbol::Lost) => return None,
             _ => {
-                self.unknown(&Frame::new(0), &name.text, name.span);
+                self.unknown(&Frame::new(0), &name.text, name.span, "figure");
                 return None;
             }
         };
@@ -94,14 +90,14 @@ impl Checker<'_> {
         }
     }
 
-    fn required_settings(&mut self, block: &ast::Fabricate, kind: SchemaKind, span: Span) {
+    fn required_settings(&mut self, block: &ast::Fabricate, kind: SchemaKind) {
         let given = |name: &str| {
             block.entries.iter().any(
                 |entry| matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name),
             )
         };
-        // A misspelt setting is reported as such, not as missing too.
         let settings = kind.settings();
+        // A misspelt setting is reported as such, not as missing too.
         let meant = |name: &str| {
             let known = settings.iter().map(|setting| setting.name);
             block.entries.iter().any(|entry| match &entry.kind {
@@ -109,18 +105,16 @@ impl Checker<'_> {
                 _ => false,
             })
         };
-        let missing: Vec<_> = settings
-            .iter()
-            .filter(|setting| setting.required && !given(setting.name) && !meant(setting.name))
-            .collect();
+        let absent = |name: &str| !given(name) && !meant(name);
+        let missing: Vec<_> =
+            settings.iter().filter(|setting| setting.required && absent(setting.name)).collect();
         if missing.is_empty() {
             return;
         }
         let names: Vec<String> = missing.iter().map(|setting| format!("`{}`", setting.name)).collect();
-        let at = Span { start: span.start, end: block.kind.span.end, ..span };
-        let message = format!("a block of {} needs {}", kind.name(), names.join(" and "));
-        let mut diagnostic =
-            Diagnostic::new(Code::E0403, at, message).label(format!("no {}", names.join(", no ")));
+        let message = format!("{} need {}", kind.name(), names.join(" and "));
+        let mut diagnostic = Diagnostic::new(Code::E0403, block.kind.span, message)
+            .label(format!("no {}", names.join(", no ")));
         for setting in missing {
             diagnostic = diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc));
         }
@@ -137,9 +131,10 @@ impl Checker<'_> {
         earlier: &[SettingValue],
     ) -> Option<SettingValue> {
         let Some(setting) = kind.setting(&name.text) else {
-            let known: Vec<&str> = kind.settings().iter().map(|setting| setting.name).collect();
-            let what = format!("setting of {}", kind.name());
-            self.unknown_word(Code::E0404, name, &what, known.into_iter());
+            let available = kind.settings().into_iter().filter(|setting| setting.ty != SettingType::Later);
+            let known: Vec<&str> = available.map(|setting| setting.name).collect();
+            let message = format!("{} have no setting `{}`", kind.name(), name.text);
+            self.unknown_word(Code::E0404, name, message, known.into_iter());
             return None;
         };
         if let Some(first) = earlier.iter().find(|other| other.name == setting.name) {
@@ -160,10 +155,6 @@ impl Checker<'_> {
     }
 
     fn library_record(&mut self, frame: &mut Frame, record: &str, value: &ast::Expr) -> Expr {
-        if matches!(&value.kind, ast::ExprKind::Name(name) if name == "none") && record == "Engraving" {
-            let kind = ExprKind::Choice(ChoiceKind::Engraved, 0);
-            return Expr { kind, ty: Type::Choice(ChoiceKind::Engraved), span: value.span };
-        }
         let found = self.modules.iter().find_map(|scope| match scope.public.get(record) {
             Some(Symbol::Item(id)) if !scope.name.is_empty() => Some(*id),
             _ => None,
@@ -183,13 +174,19 @@ impl Checker<'_> {
     ) -> Option<Requirement> {
         let words = &requirement.measure;
         let Some(measure) = Measure::named(&words.text) else {
-            self.later(&words.text, words.span);
+            // What is no measure at all, the parser has said.
+            if MEASURES.contains(&words.text.as_str()) {
+                self.later(&words.text, words.span);
+            }
             return None;
         };
         if !measure.applies_to(kind) {
             let message = format!("`{}` is no measure of {}", words.text, kind.name());
             let label = format!("not measured on {}", kind.name());
-            self.report(Diagnostic::new(Code::E0806, words.span, message).label(label));
+            let measures = Measure::ALL.iter().filter(|measure| measure.applies_to(kind));
+            let measures: Vec<String> = measures.map(|measure| format!("`{}`", measure.words())).collect();
+            let note = format!("{} have {}", kind.name(), measures.join(", "));
+            self.report(Diagnostic::new(Code::E0806, words.span, message).label(label).note(note));
             return None;
         }
         let limit = match &requirement.limit {

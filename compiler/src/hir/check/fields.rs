@@ -4,20 +4,21 @@ use super::items::Parameter;
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::tree::Expr;
+use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
 
 impl Checker<'_> {
     /// The argument of each parameter; `None` where its default serves, or where it is missing (then reported).
     ///
-    /// `what` names the callee in messages; `span` is the whole call.
+    /// `what` names the callee in messages; `at` is where the callee stands.
     pub(super) fn bind(
         &mut self,
         frame: &mut Frame,
         what: &str,
         parameters: &[Parameter],
         arguments: &[ast::Argument],
-        span: Span,
+        at: Span,
     ) -> Vec<Option<Expr>> {
         let mut places: Vec<Option<&ast::Argument>> = vec![None; parameters.len()];
         let mut next = 0;
@@ -28,8 +29,11 @@ impl Checker<'_> {
             };
             if let Some(earlier) = places[place] {
                 let message = format!("`{}` of `{what}` is given twice", parameters[place].name);
-                let diagnostic = Diagnostic::new(Code::E0405, argument_span(argument), message).label("given again");
-                self.report(diagnostic.also(argument_span(earlier), "first given here").hint("remove one of them"));
+                let diagnostic =
+                    Diagnostic::new(Code::E0405, argument_span(argument), message).label("given again");
+                self.report(
+                    diagnostic.also(argument_span(earlier), "first given here").hint("remove one of them"),
+                );
                 continue;
             }
             places[place] = Some(argument);
@@ -41,21 +45,29 @@ impl Checker<'_> {
             .map(|(parameter, _)| parameter)
             .collect();
         if !missing.is_empty() {
-            self.missing(what, &missing, span);
+            self.missing(what, &missing, at);
         }
         let bound = parameters.iter().zip(places);
-        bound.map(|(parameter, place)| place.map(|argument| self.expect(frame, &argument.value, &parameter.ty))).collect()
+        bound
+            .map(|(parameter, place)| {
+                place.map(|argument| self.expect(frame, &argument.value, &parameter.ty))
+            })
+            .collect()
     }
 
-    fn missing(&mut self, what: &str, missing: &[&Parameter], span: Span) {
+    fn missing(&mut self, what: &str, missing: &[&Parameter], at: Span) {
         let names: Vec<String> = missing.iter().map(|parameter| format!("`{}`", parameter.name)).collect();
         let examples: Vec<String> = missing
             .iter()
-            .map(|parameter| format!("{}: … ({})", parameter.name, self.type_name(&parameter.ty)))
+            .map(|parameter| match &parameter.ty {
+                Type::Error => format!("`{}: …`", parameter.name),
+                ty => format!("`{}: …`, {}", parameter.name, self.described(ty)),
+            })
             .collect();
         let message = format!("`{what}` needs {}", names.join(" and "));
-        let diagnostic = Diagnostic::new(Code::E0403, span, message).label(format!("{} missing", names.join(", ")));
-        self.report(diagnostic.hint(format!("add {}", examples.join(", "))));
+        let label = format!("no {}", names.join(", no "));
+        let diagnostic = Diagnostic::new(Code::E0403, at, message).label(label);
+        self.report(diagnostic.hint(format!("add {}", examples.join(", and "))));
     }
 
     fn place(
@@ -77,7 +89,17 @@ impl Checker<'_> {
                 n => format!("{n} arguments"),
             };
             let message = format!("`{what}` takes {count}");
-            self.report(Diagnostic::new(Code::E0406, argument.value.span, message).label("one too many"));
+            // However many there are, they are one mistake.
+            if place == parameters.len() {
+                let mut diagnostic =
+                    Diagnostic::new(Code::E0406, argument.value.span, message).label("too many");
+                if !parameters.is_empty() {
+                    let names: Vec<&str> =
+                        parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+                    diagnostic = diagnostic.note(format!("it takes {}", names.join(", ")));
+                }
+                self.report(diagnostic);
+            }
             return None;
         };
         if let Some(place) = parameters.iter().position(|parameter| parameter.name == name.text) {

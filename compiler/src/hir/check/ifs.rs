@@ -51,7 +51,9 @@ impl Checker<'_> {
         };
         let message = format!("an ifs `{word}` is not available yet");
         let diagnostic = Diagnostic::new(Code::E0001, span, message).label("a classical ifs");
-        self.report(diagnostic.hint("an ifs `on (p0, p1, …)` is: transforms list the images of its control points"));
+        self.report(
+            diagnostic.hint("an ifs `on (p0, p1, …)` is: transforms list the images of its control points"),
+        );
         ItemKind::Broken
     }
 
@@ -95,13 +97,16 @@ impl Checker<'_> {
     fn later_member(&mut self, word: &str, span: Span) {
         let span = Span { end: span.start + word.len() as u32, ..span };
         let message = format!("`{word}` in an ifs is not available yet");
-        self.report(Diagnostic::new(Code::E0001, span, message).label("part of the language, but still to come"));
+        self.report(
+            Diagnostic::new(Code::E0001, span, message).label("part of the language, but still to come"),
+        );
     }
 
     fn transform(&mut self, frame: &mut Frame, typed: &mut Ifs, transform: &ast::Transform) {
         if let Some(first) = typed.transforms.iter().find(|other| other.name == transform.name.text) {
             let message = format!("the transform `{}` is declared twice", transform.name.text);
-            let diagnostic = Diagnostic::new(Code::E0302, transform.name.span, message).label("declared again here");
+            let diagnostic =
+                Diagnostic::new(Code::E0302, transform.name.span, message).label("declared again here");
             self.report(diagnostic.also(first.name_span, "first declared here"));
         }
         if let Some((name, _)) = &transform.family {
@@ -119,7 +124,8 @@ impl Checker<'_> {
         let target = self.expect(frame, target, &Type::Ifs);
         let ast::Placement::Points(points, points_span) = placement else {
             let message = "a transform lists the images of the control points in brackets";
-            let diagnostic = Diagnostic::new(Code::E0503, transform.value.span, message).label("no list of points");
+            let diagnostic =
+                Diagnostic::new(Code::E0503, transform.value.span, message).label("no list of points");
             self.report(diagnostic.hint("write `self on (p, q, …)`"));
             return;
         };
@@ -163,21 +169,25 @@ impl Checker<'_> {
             return;
         }
         let message = format!("`{name}` has {needed} control points, but the transform lists {given}");
-        let diagnostic = Diagnostic::new(Code::E0503, at, message).label(format!("{given} points"));
+        let label = if given == 1 { "one point".to_owned() } else { format!("{given} points") };
+        let diagnostic = Diagnostic::new(Code::E0503, at, message).label(label);
         let hint = match needed.checked_sub(given) {
             Some(1) => "one is missing".to_owned(),
             Some(missing) => format!("{missing} are missing"),
-            None => format!("{} too many", given - needed),
+            None if given == needed + 1 => "one is too many".to_owned(),
+            None => format!("{} are too many", given - needed),
         };
         self.report(diagnostic.hint(hint));
     }
 
     fn complete(&mut self, ifs: &ast::Ifs, typed: &Ifs) {
-        let broken = ifs.members.iter().any(|member| member.kind == ast::MemberKind::Error);
+        let broken = typed.control_points.is_empty()
+            || ifs.members.iter().any(|member| member.kind == ast::MemberKind::Error);
         let attempted = ifs.members.iter().any(|member| matches!(member.kind, ast::MemberKind::Transform(_)));
         if typed.transforms.is_empty() && !attempted && !broken {
             let message = format!("`{}` has no transforms", ifs.name.text);
-            let diagnostic = Diagnostic::new(Code::E0507, ifs.name.span, message).label("made of no copies of itself");
+            let diagnostic =
+                Diagnostic::new(Code::E0507, ifs.name.span, message).label("made of no copies of itself");
             self.report(diagnostic.hint("add `transform left = self on (…)`"));
         }
         let attempted = ifs.members.iter().any(|member| matches!(member.kind, ast::MemberKind::Germ(_)));

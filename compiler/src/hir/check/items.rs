@@ -34,7 +34,7 @@ impl<'a> Checker<'a> {
         let root = self.modules[0].ast;
         for item in &root.items {
             match &item.kind {
-                ast::ItemKind::Fabricate(fabricate) => self.fabricate(fabricate, item.span),
+                ast::ItemKind::Fabricate(fabricate) => self.fabricate(fabricate),
                 ast::ItemKind::Test(test) => {
                     let message = "tests in a design are not available yet";
                     self.report(Diagnostic::new(Code::E0001, test.name.span, message).label("a test"));
@@ -127,8 +127,7 @@ impl<'a> Checker<'a> {
         let ty = self.type_expr(module, &param.ty);
         let number = ty.dimension().is_some();
         if !number && !matches!(ty, Type::Bool | Type::Text | Type::Error) {
-            let name = self.type_in_words(&ty);
-            let message = format!("a parameter cannot be {name}");
+            let message = format!("a parameter cannot be {}", self.described(&ty));
             let diagnostic =
                 Diagnostic::new(Code::E0401, param.ty.span, message).label("not set from outside");
             self.report(
@@ -136,15 +135,19 @@ impl<'a> Checker<'a> {
             );
         }
         let default = self.body(module, &param.default, Some(&ty));
-        let bound = |checker: &mut Self, value: &ast::Expr| {
-            if !number && ty != Type::Error {
-                let message = "only a number has a range";
-                checker.report(Diagnostic::new(Code::E0401, value.span, message).label("no number"));
-            }
-            checker.body(module, value, Some(&ty))
-        };
-        let range = param.range.as_ref().map(|range| (bound(self, &range.from), bound(self, &range.to)));
-        let step = param.step.as_ref().map(|step| bound(self, step));
+        if let Some(range) = &param.range
+            && matches!(ty, Type::Bool | Type::Text)
+        {
+            let message = "only a number has a range";
+            let at = range.from.span.to(range.to.span);
+            self.report(
+                Diagnostic::new(Code::E0401, at, message).label("no range fits here").hint("leave it out"),
+            );
+        }
+        let bound = |checker: &mut Self, value: &ast::Expr| checker.body(module, value, Some(&ty));
+        let range = param.range.as_ref().filter(|_| number);
+        let range = range.map(|range| (bound(self, &range.from), bound(self, &range.to)));
+        let step = param.step.as_ref().filter(|_| number).map(|step| bound(self, step));
         (ItemKind::Param(Param { ty: ty.clone(), default, range, step }), ty)
     }
 
@@ -155,9 +158,9 @@ impl<'a> Checker<'a> {
             ty => ty.is_figure() || *ty == Type::Error,
         };
         if !fits {
-            let name = self.type_in_words(&ty);
-            let message = format!("a figure is needed, but this is {name}");
-            let mut diagnostic = Diagnostic::new(Code::E0401, figure.value.span, message).label(name);
+            let is = self.described(&ty);
+            let message = format!("a figure is needed, but this is {is}");
+            let mut diagnostic = Diagnostic::new(Code::E0401, figure.value.span, message).label(is);
             diagnostic = match ty {
                 Type::Ifs => diagnostic.hint("put the ifs on control points: `… on (p, q, …) at level 3`"),
                 _ => diagnostic.hint("a figure is an ifs on control points, or a list of such figures"),

@@ -22,7 +22,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
 use scope::ModuleScope;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A parsed file on its way to the checker.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +71,8 @@ struct Checker<'a> {
     types: BTreeMap<ItemId, Type>,
     signatures: BTreeMap<ItemId, items::Signature>,
     fabricates: Vec<Fabricate>,
+    /// Names of the library used without import, each said once.
+    not_imported: BTreeSet<String>,
     diagnostics: Diagnostics,
     /// Candidates compared with unknown names so far.
     comparisons: usize,

@@ -2,7 +2,7 @@
 
 use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
-use crate::diagnostic::{Code, Diagnostic, closest, did_you_mean};
+use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::tree::{Expr, ExprKind, ItemId, ItemKind};
 use crate::hir::types::Type;
 use crate::source::Span;
@@ -25,21 +25,28 @@ impl Checker<'_> {
             let symbol = scope.public.get(name).filter(|_| !scope.name.is_empty())?;
             Some((scope.name, *symbol))
         })?;
-        if owner != "prelude" && module == 0 && !self.modules[module].broken_use {
-            let file = self.module_file(module);
+        if owner != "prelude"
+            && module == 0
+            && !self.modules[module].broken_use
+            && self.not_imported.insert(name.to_owned())
+        {
             let message = format!("`{name}` is used without being imported");
-            let line = format!("use std.{owner} ({name})\n");
-            let at = self.import_place(module);
-            let diagnostic = Diagnostic::new(Code::W0308, span, message)
-                .label(format!("found in `std.{owner}`"))
-                .fix(format!("add `use std.{owner} ({name})`"), Span::new(file, at, at), line);
+            let diagnostic =
+                Diagnostic::new(Code::W0308, span, message).label(format!("found in `std.{owner}`"));
+            let hint = format!("add `use std.{owner} ({name})`");
+            let diagnostic = match self.import_place(module) {
+                Some(at) => diagnostic.fix(hint, at, format!("use std.{owner} ({name})\n")),
+                None => diagnostic.hint(hint),
+            };
             self.report(diagnostic);
         }
         Some(symbol)
     }
 
-    fn import_place(&self, module: usize) -> u32 {
-        self.modules[module].ast.items.first().map_or(0, |item| item.span.start)
+    /// Before the first item, unless comments that document it stand there.
+    fn import_place(&self, module: usize) -> Option<Span> {
+        let bare = self.modules[module].ast.items.iter().find(|item| item.docs.is_empty())?;
+        Some(Span::new(self.module_file(module), bare.span.start, bare.span.start))
     }
 
     pub(super) fn name(&mut self, frame: &Frame, name: &str, span: Span) -> Expr {
@@ -58,8 +65,8 @@ impl Checker<'_> {
                 error_expr(span)
             }
             Some(Symbol::Later) => self.later(name, span),
-            Some(Symbol::Missing) => error_expr(span),
-            None => self.unknown(frame, name, span),
+            Some(Symbol::Lost) => error_expr(span),
+            None => self.unknown(frame, name, span, "let"),
         }
     }
 
@@ -71,11 +78,21 @@ impl Checker<'_> {
         error_expr(span)
     }
 
-    pub(super) fn unknown(&mut self, frame: &Frame, name: &str, span: Span) -> Expr {
+    /// `keyword` is what would declare it: `let`, `fn`, `figure`.
+    pub(super) fn unknown(&mut self, frame: &Frame, name: &str, span: Span, keyword: &str) -> Expr {
         let mut diagnostic =
             Diagnostic::new(Code::E0301, span, format!("there is no `{name}`")).label("not known here");
         if let Some(candidate) = self.nearest_value(frame, name) {
+            // What was meant is not unused.
+            if let Some(import) = self.modules[frame.module].imports.get_mut(candidate.as_str()) {
+                import.used = true;
+            }
             diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), span, candidate);
+        } else if name.contains(|c: char| c.is_ascii_uppercase()) {
+            diagnostic = diagnostic.hint("names of values are written in small letters");
+        } else {
+            let arguments = if keyword == "fn" { "(…)" } else { "" };
+            diagnostic = diagnostic.hint(format!("declare it: `{keyword} {name}{arguments} = …`"));
         }
         self.report(diagnostic);
         error_expr(span)
@@ -96,11 +113,6 @@ impl Checker<'_> {
         closest(name, known).map(str::to_owned)
     }
 
-    /// Whether an item is already known to be wrong, or is still being worked out.
-    pub(super) fn is_broken(&self, id: ItemId) -> bool {
-        matches!(self.items[id.0 as usize].kind, ItemKind::Broken)
-    }
-
     fn item_value(&mut self, id: ItemId, span: Span) -> Expr {
         self.ensure_checked(id, span);
         let ty = self.types.get(&id).cloned().unwrap_or(Type::Error);
@@ -119,19 +131,29 @@ impl Checker<'_> {
         }
     }
 
-    /// A measure, setting or word that is not one of a closed list.
+    /// Whether an item has been checked and nothing is left of it.
+    pub(super) fn is_broken(&self, id: ItemId) -> bool {
+        let done = self.declared[id.0 as usize].state == super::State::Done;
+        done && matches!(self.items[id.0 as usize].kind, ItemKind::Broken)
+    }
+
+    /// A field, setting or word that is not one of a closed list.
     pub(super) fn unknown_word<'n>(
         &mut self,
         code: Code,
         name: &ast::Name,
-        what: &str,
+        message: String,
         known: impl Iterator<Item = &'n str> + Clone,
     ) {
-        let message = format!("there is no {what} called `{}`", name.text);
         let mut diagnostic = Diagnostic::new(code, name.span, message).label("not known here");
-        diagnostic = match did_you_mean(&name.text, known.clone()) {
-            Some(suggestion) => diagnostic.hint(suggestion),
-            None => diagnostic.note(format!("there are {}", known.collect::<Vec<_>>().join(", "))),
+        if let Some(candidate) = closest(&name.text, known.clone()) {
+            diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), name.span, candidate);
+        }
+        let words: Vec<String> = known.map(|word| format!("`{word}`")).collect();
+        diagnostic = match words.as_slice() {
+            [] => diagnostic,
+            [only] => diagnostic.note(format!("there is only {only}")),
+            [rest @ .., last] => diagnostic.note(format!("it can be {} or {last}", rest.join(", "))),
         };
         self.report(diagnostic);
     }

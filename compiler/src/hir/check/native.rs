@@ -15,6 +15,7 @@ impl Checker<'_> {
         frame: &mut Frame,
         native: Native,
         arguments: &[ast::Argument],
+        at: Span,
         span: Span,
     ) -> Expr {
         let declaration = native.declaration();
@@ -27,9 +28,9 @@ impl Checker<'_> {
                 required: parameter.required,
             })
             .collect();
-        let bound = self.bind(frame, declaration.name, &parameters, arguments, span);
+        let bound = self.bind(frame, declaration.name, &parameters, arguments, at);
         let complete = bound.iter().zip(declaration.parameters).all(|(value, takes)| match value {
-            Some(value) => self.takes(value, takes),
+            Some(value) => self.takes(declaration.name, value, takes),
             None => !takes.required,
         });
         let values: Vec<Expr> = bound.into_iter().flatten().collect();
@@ -42,7 +43,7 @@ impl Checker<'_> {
         }
     }
 
-    fn takes(&mut self, value: &Expr, parameter: &NativeParameter) -> bool {
+    fn takes(&mut self, native: &str, value: &Expr, parameter: &NativeParameter) -> bool {
         let list_of_numbers = match &value.ty {
             Type::List(element) => element.dimension().is_some(),
             _ => false,
@@ -62,9 +63,9 @@ impl Checker<'_> {
                 Takes::Quantities => "a list of numbers",
                 _ => "a list",
             };
-            let name = self.type_in_words(&value.ty);
-            let message = format!("`{}` takes {wanted}, but this is {name}", parameter.name);
-            self.report(Diagnostic::new(Code::E0401, value.span, message).label(name));
+            let is = self.described(&value.ty);
+            let message = format!("`{native}` takes {wanted}, but this is {is}");
+            self.report(Diagnostic::new(Code::E0401, value.span, message).label(is));
         }
         fits
     }
@@ -92,21 +93,21 @@ impl Checker<'_> {
             }
             Native::Interpolate => {
                 if *first != Type::LENGTH {
-                    let name = self.type_in_words(first);
-                    let message = format!("`interpolate` looks up a Length, but this is {name}");
-                    self.report(Diagnostic::new(Code::E0401, values[0].span, message).label(name));
+                    let is = self.described(first);
+                    let message = format!("`interpolate` looks up a Length, but this is {is}");
+                    self.report(Diagnostic::new(Code::E0401, values[0].span, message).label(is));
                     return None;
                 }
                 Type::LENGTH
             }
             Native::Segment => {
-                let control = values.iter().all(|value| value.ty.point_space() == Some(PointSpace::Control));
-                if !control {
+                let other = values.iter().find(|value| value.ty.point_space() != Some(PointSpace::Control));
+                if let Some(other) = other {
                     let message =
                         "a germ is drawn between the control points of its ifs, or combinations of them";
-                    self.report(
-                        Diagnostic::new(Code::E0402, values[0].span, message).label("not a control point"),
-                    );
+                    let diagnostic =
+                        Diagnostic::new(Code::E0402, other.span, message).label("not a control point");
+                    self.report(diagnostic.hint("name control points: `germ segment(p0, p3)`"));
                     return None;
                 }
                 Type::Germ
@@ -121,10 +122,10 @@ impl Checker<'_> {
         if let Some(root) = dimension.root() {
             return Some(Type::Quantity(root));
         }
-        let message = format!("there is no square root of a {}", dimension.name());
-        self.report(
-            Diagnostic::new(Code::E0402, value.span, message).label(format!("a {}", dimension.name())),
-        );
+        let is = self.described(&value.ty);
+        let message = format!("there is no square root of {is}");
+        let diagnostic = Diagnostic::new(Code::E0402, value.span, message).label(is);
+        self.report(diagnostic.hint("the square root of an area is a length: `sqrt(a * a + b * b)`"));
         None
     }
 
@@ -142,10 +143,13 @@ impl Checker<'_> {
             [a, b] => {
                 let ty = a.ty.join(&b.ty).filter(|ty| ty.dimension().is_some());
                 if ty.is_none() {
-                    let (first, second) = (self.type_name(&a.ty), self.type_name(&b.ty));
-                    let message = format!("`{name}` does not fit a {first} and a {second}");
-                    let diagnostic = Diagnostic::new(Code::E0402, b.span, message).label(second);
-                    self.report(diagnostic.also(a.span, first));
+                    let (first, second) = (self.described(&a.ty), self.described(&b.ty));
+                    let message = format!("`{name}` does not fit {first} and {second}");
+                    let diagnostic =
+                        Diagnostic::new(Code::E0402, b.span, message).label(second).also(a.span, first);
+                    self.report(
+                        diagnostic.hint("it takes two numbers of one dimension, or one list of them"),
+                    );
                 }
                 ty
             }

@@ -25,9 +25,9 @@ impl Checker<'_> {
             Type::Int | Type::Quantity(_) | Type::Vector(_) | Type::Error => inner.ty.clone(),
             Type::Point(space) | Type::WeightedSum(space) => Type::WeightedSum(*space),
             other => {
-                let name = self.type_in_words(other);
+                let name = self.described(other);
                 let message = format!("`-` does not fit {name}");
-                self.report(Diagnostic::new(Code::E0402, span, message).label(name));
+                self.report(Diagnostic::new(Code::E0402, inner.span, message).label(name));
                 return error_expr(span);
             }
         };
@@ -133,7 +133,7 @@ impl Checker<'_> {
     }
 
     fn unfit(&mut self, arithmetic: Arithmetic, at: Span, left: &Expr, right: &Expr, span: Span) -> Expr {
-        let (a, b) = (self.type_in_words(&left.ty), self.type_in_words(&right.ty));
+        let (a, b) = (self.described(&left.ty), self.described(&right.ty));
         let symbol = arithmetic.symbol();
         let message = format!("`{symbol}` does not fit {a} and {b}");
         let mut diagnostic = Diagnostic::new(Code::E0402, at, message)
@@ -141,9 +141,28 @@ impl Checker<'_> {
             .also(left.span, a)
             .also(right.span, b);
         let both_numbers = left.ty.dimension().is_some() && right.ty.dimension().is_some();
+        let list = [left, right].into_iter().find(|side| matches!(side.ty, Type::List(_)));
         if both_numbers {
+            let unitless =
+                [left, right].into_iter().find(|side| side.ty.dimension() == Some(Dimension::NUMBER));
+            let other =
+                if unitless.is_some_and(|side| side.span == left.span) { &right.ty } else { &left.ty };
+            let unit = other.dimension().map_or("", |dimension| dimension.display_unit().0);
+            diagnostic = match unitless {
+                Some(side) if matches!(side.kind, ExprKind::Scalar(_)) && !unit.is_empty() => {
+                    diagnostic.fix(format!("add a unit, such as `{unit}`"), side.span.after(), unit)
+                }
+                _ => diagnostic
+                    .hint("only values of one dimension are added: lengths to lengths, angles to angles"),
+            };
+        } else if list.is_some() {
             diagnostic =
-                diagnostic.hint("numbers are added and subtracted only when their dimensions are the same");
+                diagnostic.hint(format!("for every element of a list: `[x {symbol} … for x in list]`"));
+        } else if matches!(arithmetic, Arithmetic::Multiply | Arithmetic::Divide)
+            && (left.ty.point_space().is_some() || right.ty.point_space().is_some())
+        {
+            diagnostic =
+                diagnostic.hint("points and vectors are multiplied and divided by numbers without a unit");
         } else if left.ty.point_space().is_some() && right.ty.point_space().is_some() {
             diagnostic =
                 diagnostic.hint("both must be in the plane, both in space, or both made of control points");
@@ -168,9 +187,16 @@ impl Checker<'_> {
             (a, b) => a.dimension().is_some() && a.dimension() == b.dimension(),
         };
         if !fits {
-            let (a, b) = (self.type_in_words(&left.ty), self.type_in_words(&right.ty));
+            let (a, b) = (self.described(&left.ty), self.described(&right.ty));
             let message = format!("{a} cannot be compared with {b} in this way");
-            let diagnostic = Diagnostic::new(Code::E0402, at, message).label("compares these two");
+            let mut diagnostic = Diagnostic::new(Code::E0402, at, message).label("compares these two");
+            if left.ty == right.ty {
+                diagnostic = diagnostic
+                    .hint("only numbers are smaller or larger; others are the same (`==`) or not (`!=`)");
+            } else if left.ty.dimension().is_some() && right.ty.dimension().is_some() {
+                diagnostic =
+                    diagnostic.hint("only values of one dimension are compared: lengths with lengths");
+            }
             self.report(diagnostic.also(left.span, a).also(right.span, b));
             return error_expr(span);
         }

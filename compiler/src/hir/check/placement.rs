@@ -44,7 +44,7 @@ impl Checker<'_> {
     }
 
     fn list_in_brackets(&mut self, list: &Expr, count: usize, span: Span) -> Expr {
-        let name = self.type_in_words(&list.ty);
+        let name = self.described(&list.ty);
         let message = format!("in brackets after `on` stand points one by one, but this is {name}");
         let diagnostic = Diagnostic::new(Code::E0401, list.span, message).label("a whole list");
         self.report(diagnostic.hint(match count {
@@ -65,8 +65,9 @@ impl Checker<'_> {
         let item = &self.items[id.0 as usize];
         let (name, declared_at) = (item.name.clone(), item.name_span);
         let message = format!("`{name}` is placed on {needed} control points, but {given} are given");
-        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(format!("{given} points"));
-        self.report(diagnostic.also(declared_at, format!("on ({names})")));
+        let label = if given == 1 { "one point".to_owned() } else { format!("{given} points") };
+        let diagnostic = Diagnostic::new(Code::E0504, at, message).label(label);
+        self.report(diagnostic.also(declared_at, "declared here").hint(format!("it needs ({names})")));
     }
 
     pub(super) fn at(

@@ -1,12 +1,12 @@
 //! Modules and what they declare and import.
 
 use super::{Checker, Declared, ModuleSource, State, broken};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, did_you_mean};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, closest};
 use crate::hir::native::{LATER, NATIVES, Native};
 use crate::hir::tree::ItemId;
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,8 +17,8 @@ pub(super) enum Symbol {
     Native(Native),
     /// Something of the language that the program cannot do yet.
     Later,
-    /// A name whose import failed: what it stands for is not known, and the import has been reported.
-    Missing,
+    /// A name whose import failed; that has been said.
+    Lost,
 }
 
 pub(super) struct Import {
@@ -62,6 +62,7 @@ impl<'a> Checker<'a> {
             types: BTreeMap::new(),
             signatures: BTreeMap::new(),
             fabricates: Vec::new(),
+            not_imported: BTreeSet::new(),
             diagnostics: Diagnostics::default(),
             comparisons: 0,
         };
@@ -120,9 +121,11 @@ impl<'a> Checker<'a> {
         let ast = self.modules[module].ast;
         for item in &ast.items {
             let ast::ItemKind::Use(import) = &item.kind else { continue };
-            self.modules[module].broken_use |= import.names.is_empty();
             let Some(from) = self.find_module(&import.module) else {
-                import.names.iter().for_each(|name| self.missing_import(module, name));
+                self.modules[module].broken_use |= import.names.is_empty();
+                for name in &import.names {
+                    self.lost(module, name);
+                }
                 continue;
             };
             for name in &import.names {
@@ -131,43 +134,41 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// A name that could not be imported stands for what the library has by this name, or for nothing; either way it is
+    /// not missed again where it is used.
+    fn lost(&mut self, module: usize, name: &'a ast::Name) {
+        let found = self.modules.iter().find_map(|scope| match scope.public.get(name.text.as_str()) {
+            Some(symbol) if !scope.name.is_empty() => Some(*symbol),
+            _ => None,
+        });
+        let import = Import { symbol: found.unwrap_or(Symbol::Lost), span: name.span, used: true };
+        self.modules[module].imports.entry(&name.text).or_insert(import);
+    }
+
     fn import_name(&mut self, module: usize, from: usize, name: &'a ast::Name) {
         let Some(symbol) = self.modules[from].public.get(name.text.as_str()).copied() else {
             self.no_such_export(from, name);
-            self.missing_import(module, name);
+            self.lost(module, name);
             return;
         };
         let scope = &self.modules[module];
         let earlier = scope.imports.get(name.text.as_str()).map(|import| import.span);
         let own = scope.own.get(name.text.as_str()).map(|id| self.items[id.0 as usize].name_span);
         if let Some(other) = earlier.or(own) {
-            let (message, first, mend) = match earlier {
-                Some(_) => (
-                    format!("`{}` is imported twice", name.text),
-                    "first imported here",
-                    "remove one of them",
-                ),
-                None => (
-                    format!("`{}` is imported and declared too", name.text),
-                    "declared here",
-                    "remove the import, or give your own another name",
-                ),
+            let (message, label, hint) = match earlier {
+                Some(_) => ("is imported twice", "first imported here", "remove one of them"),
+                None => {
+                    let hint = "remove the import, or give the one declared here another name";
+                    ("is both imported and declared", "declared here", hint)
+                }
             };
+            let message = format!("`{}` {message}", name.text);
             let diagnostic = Diagnostic::new(Code::E0302, name.span, message).label("imported here");
-            self.report(diagnostic.also(other, first).hint(mend));
+            self.report(diagnostic.also(other, label).hint(hint));
             return;
         }
         let import = Import { symbol, span: name.span, used: false };
         self.modules[module].imports.insert(&name.text, import);
-    }
-
-    /// Notes a name whose import failed, so that its uses are not reported too.
-    fn missing_import(&mut self, module: usize, name: &'a ast::Name) {
-        let scope = &mut self.modules[module];
-        if !scope.own.contains_key(name.text.as_str()) {
-            let import = Import { symbol: Symbol::Missing, span: name.span, used: true };
-            scope.imports.entry(&name.text).or_insert(import);
-        }
     }
 
     fn no_such_export(&mut self, from: usize, name: &ast::Name) {
@@ -178,11 +179,18 @@ impl<'a> Checker<'a> {
             format!("`std.{}` has no `{}`", scope.name, name.text)
         };
         let mut diagnostic = Diagnostic::new(Code::E0304, name.span, message).label("not there");
-        let elsewhere = self.modules.iter().find(|other| other.public.contains_key(name.text.as_str()));
-        if let Some(suggestion) = did_you_mean(&name.text, scope.public.keys().copied()) {
-            diagnostic = diagnostic.hint(suggestion);
-        } else if let Some(other) = elsewhere {
-            diagnostic = diagnostic.hint(format!("`{}` is in `std.{}`", name.text, other.name));
+        let has = |other: &&ModuleScope<'_>| {
+            !other.name.is_empty() && other.public.contains_key(name.text.as_str())
+        };
+        if let Some(other) = self.modules.iter().find(has) {
+            diagnostic = match other.name {
+                "prelude" => {
+                    diagnostic.hint(format!("`{}` is known everywhere: it needs no import", name.text))
+                }
+                module => diagnostic.hint(format!("`{}` is in `std.{module}`", name.text)),
+            };
+        } else if let Some(candidate) = closest(&name.text, scope.public.keys().copied()) {
+            diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), name.span, candidate);
         } else {
             let names: Vec<&str> = scope.public.keys().copied().collect();
             diagnostic = diagnostic.note(format!("it has {}", names.join(", ")));
@@ -212,9 +220,9 @@ impl<'a> Checker<'a> {
         let written = dotted.join(".");
         let message = format!("there is no module `{written}`");
         let mut diagnostic = Diagnostic::new(Code::E0303, path.span(), message).label("not a module");
-        diagnostic = match did_you_mean(&written, known.iter().map(String::as_str)) {
-            Some(suggestion) => diagnostic.hint(suggestion),
-            None => diagnostic.note(format!("there are {}", known.join(", "))),
+        diagnostic = match closest(&written, known.iter().map(String::as_str)) {
+            Some(candidate) => diagnostic.fix(format!("did you mean `{candidate}`?"), path.span(), candidate),
+            None => diagnostic.note(format!("the modules of the library are {}", known.join(", "))),
         };
         self.report(diagnostic);
         None

@@ -1,7 +1,6 @@
 //! Types as written, and types in words.
 
 use super::Checker;
-use super::convert::article;
 use super::scope::Symbol;
 use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::dimension::Dimension;
@@ -42,14 +41,14 @@ impl Checker<'_> {
             self.later(name, ty.span);
             return Type::Error;
         }
-        match self.symbol(module, name, ty.span) {
-            Some(Symbol::Item(id))
-                if matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Record(_)) =>
-            {
-                return Type::Record(id);
-            }
-            Some(Symbol::Missing) => return Type::Error,
-            _ => {}
+        let symbol = self.symbol(module, name, ty.span);
+        if symbol == Some(Symbol::Lost) {
+            return Type::Error;
+        }
+        if let Some(Symbol::Item(id)) = symbol
+            && matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Record(_))
+        {
+            return Type::Record(id);
         }
         let records =
             self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
@@ -71,13 +70,37 @@ impl Checker<'_> {
         Type::Error
     }
 
-    /// A type with its article, for messages: `an Int`.
-    pub(super) fn type_in_words(&self, ty: &Type) -> String {
-        let name = self.type_name(ty);
-        format!("{} {name}", article(&name))
+    /// A value of a type in words, for messages: `a Length`, `a whole number`, `a list of Length`.
+    pub(super) fn described(&self, ty: &Type) -> String {
+        let of = |what: &str, space: &PointSpace| match space {
+            PointSpace::Plane => format!("a {what} of the plane"),
+            PointSpace::Space => format!("a {what} in space"),
+            PointSpace::Control if what == "point" => "a combination of control points".to_owned(),
+            PointSpace::Control => format!("a {what} between control points"),
+            PointSpace::Any => format!("a {what}"),
+        };
+        match ty {
+            Type::Int => "a whole number".to_owned(),
+            Type::Quantity(Dimension::NUMBER) => "a number without a unit".to_owned(),
+            Type::Bool => "true or false".to_owned(),
+            Type::Point(space) => of("point", space),
+            Type::Vector(space) => of("vector", space),
+            Type::List(element) => format!("a list of {}", self.type_name(element)),
+            Type::Choice(_) => format!("one of {}", self.type_name(ty)),
+            Type::Settings(_) => self.type_name(ty),
+            _ => {
+                let name = self.type_name(ty);
+                let article = if name.starts_with(['A', 'E', 'I', 'O', 'U', 'a', 'e', 'i', 'o', 'u']) {
+                    "an"
+                } else {
+                    "a"
+                };
+                format!("{article} {name}")
+            }
+        }
     }
 
-    /// A type in words, for messages.
+    /// The name of a type as it is written, or would be.
     pub(super) fn type_name(&self, ty: &Type) -> String {
         match ty {
             Type::Quantity(dimension) => dimension.name(),
@@ -85,7 +108,7 @@ impl Checker<'_> {
             Type::Vector(_) => "Vector".to_owned(),
             Type::WeightedSum(_) => "weighted sum of points".to_owned(),
             Type::List(element) => format!("[{}]", self.type_name(element)),
-            Type::IntRange => "range".to_owned(),
+            Type::IntRange => "range of whole numbers".to_owned(),
             Type::Size => "size (length by length)".to_owned(),
             Type::Germ => "germ".to_owned(),
             Type::Record(id) => self.items[id.0 as usize].name.clone(),

@@ -82,8 +82,11 @@ impl Evaluator<'_> {
         if !self.budget.exhausted {
             self.budget.exhausted = true;
             let message = format!("calls are nested more than {DEEPEST} deep");
-            let diagnostic = Diagnostic::new(Code::E0703, span, message).label("given up here");
-            self.report(diagnostic.hint("does a function call itself without an end?"));
+            let call = self.calls.last().copied().unwrap_or(span);
+            let diagnostic = Diagnostic::new(Code::E0703, call, message).label("given up here");
+            self.report(
+                diagnostic.hint("a function that calls itself needs an end: `if n <= 0 then … else …`"),
+            );
         }
         self.budget.depth -= 1;
         Err(Stop::Reported)
@@ -98,7 +101,8 @@ impl Evaluator<'_> {
         if elements <= MOST_ELEMENTS {
             return Ok(());
         }
-        let message = format!("a list of more than {MOST_ELEMENTS} elements");
-        Err(self.report(Diagnostic::new(Code::E0704, span, message).label("too long")))
+        let message = format!("this list has more than {MOST_ELEMENTS} elements");
+        let diagnostic = Diagnostic::new(Code::E0704, span, message).label("too long");
+        Err(self.report(diagnostic.hint("use shorter ranges")))
     }
 }

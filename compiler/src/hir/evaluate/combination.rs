@@ -7,6 +7,7 @@ use crate::hir::scalar::{Scalar, ScalarError};
 use crate::hir::tree::{Arithmetic, Expr};
 use crate::hir::value::{Combination, Terms, Value};
 use crate::source::Span;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 impl Evaluator<'_> {
@@ -52,6 +53,7 @@ impl Evaluator<'_> {
         let numbers: Result<Vec<Scalar>, ScalarError> = zipped.map(|(a, b)| op(a, b)).collect();
         let numbers = numbers.map_err(|error| self.scalar_error(error, span))?;
         let weight = op(&left.weight, &right.weight).map_err(|error| self.scalar_error(error, span))?;
+        self.remember(span, [left.made, right.made]);
         Ok(combination(&left.terms, numbers, weight, span))
     }
 
@@ -71,7 +73,33 @@ impl Evaluator<'_> {
         let numbers: Result<Vec<Scalar>, ScalarError> = value.terms.scalars().iter().map(op).collect();
         let numbers = numbers.map_err(|error| self.scalar_error(error, span))?;
         let weight = op(&value.weight).map_err(|error| self.scalar_error(error, span))?;
+        self.remember(span, [value.made, None]);
         Ok(combination(&value.terms, numbers, weight, span))
+    }
+
+    /// Remembers what the sum at a place was made of.
+    fn remember(&mut self, span: Span, parts: [Option<Span>; 2]) {
+        let known = self.sums.entry(span).or_default();
+        for part in parts.into_iter().flatten().filter(|part| *part != span) {
+            if !known.contains(&part) {
+                known.push(part);
+            }
+        }
+    }
+
+    /// Whether a sum, or one that it was made of, has been found wrong already.
+    pub(super) fn is_known_wrong(&self, made: Span) -> bool {
+        let mut seen = BTreeSet::new();
+        let mut next = vec![made];
+        while let Some(sum) = next.pop() {
+            if self.wrong_sums.contains(&sum) {
+                return true;
+            }
+            if seen.insert(sum) {
+                next.extend(self.sums.get(&sum).into_iter().flatten());
+            }
+        }
+        false
     }
 
     /// `(1 - t) a + t b`

@@ -5,9 +5,10 @@ use super::{Evaluator, MustJoin, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::{AtomId, Rational};
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::Expr;
+use crate::hir::tree::{Expr, ExprKind};
 use crate::hir::types::Type;
 use crate::hir::value::{Combination, Shape, Terms, Value};
+use crate::source::Span;
 use std::sync::Arc;
 
 impl Evaluator<'_> {
@@ -25,7 +26,7 @@ impl Evaluator<'_> {
                 match &figure.shape {
                     Shape::Curve { ifs, .. } if curve => {
                         let why = "a Curve is needed here".to_owned();
-                        self.must_join.push(MustJoin { ifs: ifs.clone(), span: from.span, why });
+                        self.must_join.push(MustJoin { ifs: ifs.clone(), span: placed(from), why });
                     }
                     Shape::Sheet { .. } if !curve => {}
                     _ => {
@@ -51,10 +52,12 @@ impl Evaluator<'_> {
         if !off {
             return Ok(Value::Combination(sum.clone()));
         }
-        if let Some(made) = sum.made.filter(|made| *made != from.span)
-            && !self.wrong_sums.insert(made)
-        {
-            return Err(Stop::Reported);
+        // One mistake, however often the sum is used.
+        if let Some(made) = sum.made {
+            if self.is_known_wrong(made) {
+                return Err(Stop::Reported);
+            }
+            self.wrong_sums.insert(made);
         }
         let (code, what) = if wanted == 1 { (Code::E0501, "point") } else { (Code::E0502, "vector") };
         let total = self.scalar_words(&sum.weight);
@@ -100,15 +103,36 @@ impl Evaluator<'_> {
     /// Weights with the names of the control points of the ifs being worked out.
     pub(super) fn weights_words(&self, weights: &[Scalar]) -> String {
         let named = weights.iter().enumerate().filter(|(_, weight)| !weight.is_zero());
-        let words: Vec<String> = named
-            .map(|(index, weight)| {
-                let point = self.points.get(index).map_or("?", String::as_str);
-                let words = self.scalar_words(weight);
-                let words = if words.contains(' ') { format!("({words})") } else { words };
-                format!("{words} {point}")
-            })
-            .collect();
-        if words.is_empty() { "no points at all".to_owned() } else { words.join(" + ") }
+        let mut sum = String::new();
+        for (index, weight) in named {
+            let point = self.points.get(index).map_or("?", String::as_str);
+            let words = self.scalar_words(weight);
+            let (sign, words) = match words.strip_prefix('-') {
+                Some(words) if !words.contains(' ') => ("-", words.to_owned()),
+                _ if words.contains(' ') => ("+", format!("({words})")),
+                _ => ("+", words),
+            };
+            sum.push_str(&match (sum.is_empty(), sign) {
+                (true, "+") => String::new(),
+                (true, sign) => sign.to_owned(),
+                (false, sign) => format!(" {sign} "),
+            });
+            if words != "1" {
+                sum.push_str(&words);
+                sum.push(' ');
+            }
+            sum.push_str(point);
+        }
+        if sum.is_empty() { "no points at all".to_owned() } else { sum }
+    }
+}
+
+/// Where the ifs stands that a figure is made of; the whole expression where that is another's matter.
+fn placed(figure: &Expr) -> Span {
+    match &figure.kind {
+        ExprKind::At(figure, ..) | ExprKind::Convert(figure) => placed(figure),
+        ExprKind::On(ifs, ..) => ifs.span,
+        _ => figure.span,
     }
 }
 

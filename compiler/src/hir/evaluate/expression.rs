@@ -111,7 +111,9 @@ impl Evaluator<'_> {
             Scalar::Symbolic(_) => Err(Stop::Undetermined),
             scalar => scalar.to_integer().ok_or_else(|| {
                 let message = "this whole number is too large";
-                self.report(Diagnostic::new(Code::E0604, expr.span, message).label("beyond what can be counted"))
+                let diagnostic =
+                    Diagnostic::new(Code::E0604, expr.span, message).label("beyond what can be counted");
+                self.report(diagnostic.hint("use a smaller number"))
             }),
         }
     }
@@ -156,11 +158,17 @@ impl Evaluator<'_> {
         match error {
             ScalarError::Undetermined => Stop::Undetermined,
             ScalarError::DivisionByZero => {
-                self.report(Diagnostic::new(Code::E0603, span, "a division by zero").label("this is zero"))
+                let diagnostic =
+                    Diagnostic::new(Code::E0603, span, "a division by zero").label("this is zero");
+                self.report(
+                    diagnostic
+                        .hint("keep it above 0: by the range of a parameter, or by `if … then … else …`"),
+                )
             }
             ScalarError::NotFinite => {
                 let message = "the result is too large to be a number";
-                self.report(Diagnostic::new(Code::E0604, span, message).label("not finite"))
+                let diagnostic = Diagnostic::new(Code::E0604, span, message).label("not finite");
+                self.report(diagnostic.hint("are the units right?"))
             }
         }
     }

@@ -1,11 +1,12 @@
 //! An ifs with its arguments worked out: the images of control points as rows of exact weights.
 
 use super::combination::exactly;
-use super::{Evaluator, Frame, Outcome, Stop};
+use super::{Evaluator, Frame, Outcome, Stop, words};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::{Ifs, ItemKind, LocalId};
+use crate::hir::tree::{Hir, Ifs, ItemKind, LocalId};
+use crate::hir::types::Type;
 use crate::hir::value::{Combination, Germ, IfsValue, Instance, Terms, Value};
 use crate::source::Span;
 use std::sync::Arc;
@@ -55,7 +56,11 @@ impl Evaluator<'_> {
     pub fn instantiate(&mut self, instance: &Instance) -> Outcome<InstanceBody> {
         let hir = self.hir;
         let ItemKind::Ifs(ifs) = &hir.item(instance.ifs).kind else { return Err(Stop::Reported) };
-        let parts = self.parts(instance, ifs)?;
+        let within = (!ifs.parameters.is_empty()).then(|| format!("`{}`", instance_name(hir, instance)));
+        let outer = std::mem::replace(&mut self.within, within);
+        let parts = self.parts(instance, ifs);
+        self.within = outer;
+        let parts = parts?;
         let exact = |row: Vec<Scalar>| -> Outcome<Row> {
             row.iter().map(|weight| weight.to_rational().ok_or(Stop::Undetermined)).collect()
         };
@@ -141,7 +146,7 @@ impl Evaluator<'_> {
         let mut frame = Frame::new(ifs.slots);
         frame.own_ifs = Some(instance.clone());
         for (index, (argument, parameter)) in instance.arguments.iter().zip(&ifs.parameters).enumerate() {
-            let plain = parameter.ty == crate::hir::types::Type::NUMBER;
+            let plain = parameter.ty == Type::NUMBER;
             let value = match argument {
                 Value::Scalar(scalar) if plain => {
                     let span = self.hir.item(instance.ifs).name_span;
@@ -196,6 +201,28 @@ impl Evaluator<'_> {
             None => Ok((target, rows)),
         }
     }
+}
+
+/// An ifs with its arguments as an architect would write it: `bezier3(t: 23/50)`.
+pub fn instance_name(hir: &Hir, instance: &Instance) -> String {
+    let item = hir.item(instance.ifs);
+    let ItemKind::Ifs(ifs) = &item.kind else { return item.name.clone() };
+    if ifs.parameters.is_empty() {
+        return item.name.clone();
+    }
+    let arguments = ifs.parameters.iter().zip(&instance.arguments).map(|(parameter, value)| {
+        let value = match value {
+            Value::Scalar(scalar) => match scalar.to_rational() {
+                Some(exact) if parameter.ty == Type::NUMBER || parameter.ty == Type::Int => exact.to_string(),
+                _ => words(scalar, &parameter.ty),
+            },
+            Value::Bool(truth) => truth.to_string(),
+            Value::Text(text) => format!("{text:?}"),
+            _ => "…".to_owned(),
+        };
+        format!("{}: {value}", parameter.name)
+    });
+    format!("{}({})", item.name, arguments.collect::<Vec<_>>().join(", "))
 }
 
 fn weights(point: &Combination) -> Outcome<Vec<Scalar>> {

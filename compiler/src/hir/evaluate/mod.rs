@@ -15,12 +15,12 @@ mod symbolic;
 
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
 pub use expression::{quantity_words, words};
-pub use instance::{InstanceBody, InstanceTransform};
+pub use instance::{InstanceBody, InstanceTransform, instance_name};
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};
 use super::value::{Instance, Value};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::exact::AtomId;
 use crate::source::Span;
 use std::collections::{BTreeMap, BTreeSet};
@@ -53,7 +53,13 @@ pub struct Evaluator<'a> {
     must_join: Vec<MustJoin>,
     /// Every ifs with an error in it, reported once.
     broken: BTreeSet<ItemId>,
-    /// Where sums were made whose weights have been reported: each once, however often it is used.
+    /// The ifs with its arguments that is being worked out, for messages.
+    within: Option<String>,
+    /// The values that are being worked out.
+    open: BTreeSet<ItemId>,
+    /// What each sum of control points was made of, by the places they were made at.
+    sums: BTreeMap<Span, Vec<Span>>,
+    /// Sums found to be neither points nor vectors where one was needed; what is made of them is wrong for their sake.
     wrong_sums: BTreeSet<Span>,
 }
 
@@ -100,6 +106,9 @@ impl<'a> Evaluator<'a> {
             points: Vec::new(),
             must_join: Vec::new(),
             broken: BTreeSet::new(),
+            within: None,
+            open: BTreeSet::new(),
+            sums: BTreeMap::new(),
             wrong_sums: BTreeSet::new(),
         }
     }
@@ -118,13 +127,27 @@ impl<'a> Evaluator<'a> {
             return known.clone();
         }
         let hir = self.hir;
+        if !self.open.insert(id) {
+            return Err(self.needs_itself(id));
+        }
         let outcome = match &hir.item(id).kind {
             ItemKind::Param(param) => self.parameter(id, param),
             ItemKind::Let(body) | ItemKind::Figure(body) => self.body(body),
             _ => Err(Stop::Reported),
         };
+        self.open.remove(&id);
         self.globals.insert(id, outcome.clone());
         outcome
+    }
+
+    /// A circle through a function, which the checker lets pass: what it gives is written down.
+    fn needs_itself(&mut self, id: ItemId) -> Stop {
+        let item = self.hir.item(id);
+        let message = format!("`{}` depends on itself", item.name);
+        let diagnostic = Diagnostic::new(Code::E0305, item.name_span, message).label("needs its own value");
+        let diagnostic = diagnostic.hint("give one of the definitions in the circle a value of its own");
+        self.calls.clear();
+        self.report(diagnostic)
     }
 
     /// The value of an expression with a frame of its own.
@@ -163,14 +186,17 @@ impl<'a> Evaluator<'a> {
 
     fn report(&mut self, mut diagnostic: Diagnostic) -> Stop {
         let root = self.hir.root;
-        let own = self.calls.iter().rev().find(|call| call.file == root);
-        if let (Some(call), false) = (own, diagnostic.span.file == root) {
-            // What goes wrong inside of the library goes wrong in the design: where it calls the library.
-            let (inside, label) = (diagnostic.span, std::mem::take(&mut diagnostic.label));
-            diagnostic.span = *call;
-            diagnostic = diagnostic.label("in this call").also(inside, label);
+        if diagnostic.span.file != root
+            && let Some(call) = self.calls.iter().rev().find(|call| call.file == root)
+        {
+            // What goes wrong inside the library is the matter of the line that called it.
+            let inside = std::mem::replace(&mut diagnostic.span, *call);
+            diagnostic = diagnostic.also(inside, "found here");
         } else if let Some(call) = self.calls.iter().rev().find(|call| **call != diagnostic.span) {
             diagnostic = diagnostic.also(*call, "called here");
+        }
+        if let Some(within) = &self.within {
+            diagnostic = diagnostic.note(format!("in {within}"));
         }
         self.diagnostics.push(diagnostic);
         Stop::Reported

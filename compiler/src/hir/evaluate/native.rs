@@ -14,7 +14,13 @@ use crate::source::Span;
 use std::sync::Arc;
 
 impl Evaluator<'_> {
-    pub(super) fn native(&mut self, frame: &mut Frame, native: Native, arguments: &[Expr], expr: &Expr) -> Outcome<Value> {
+    pub(super) fn native(
+        &mut self,
+        frame: &mut Frame,
+        native: Native,
+        arguments: &[Expr],
+        expr: &Expr,
+    ) -> Outcome<Value> {
         let values = self.all(frame, arguments)?;
         let span = expr.span;
         let value = match (native, values.as_slice()) {
@@ -31,17 +37,23 @@ impl Evaluator<'_> {
                     _ => Err(Stop::Reported),
                 };
             }
-            (Native::Sheet, [u, v, net, ..]) => return self.sheet(u, v, net, arguments[2].span, span),
+            (Native::Sheet, [u, v, net, ..]) => {
+                let places = [arguments[0].span, arguments[1].span, arguments[2].span];
+                return self.sheet([u, v, net], places, span);
+            }
             (Native::Len, [Value::List(list)]) => Scalar::integer(list.len() as i64),
             (Native::Sum, [Value::List(list)]) => self.sum(list, span)?,
             (Native::Min | Native::Max, [Value::List(list)]) => self.extreme(native, list, &arguments[0])?,
             (Native::Min | Native::Max, [a, b]) => self.extreme(native, &[a.clone(), b.clone()], expr)?,
-            (Native::Interpolate, [Value::Scalar(x), Value::List(table)]) => self.interpolate(x, table, arguments)?,
+            (Native::Interpolate, [Value::Scalar(x), Value::List(table)]) => {
+                self.interpolate(x, table, arguments)?
+            }
             (native, [Value::Scalar(x)]) => self.function(native, x, &arguments[0])?,
             _ => return Err(Stop::Reported),
         };
         let inside = frame.own_ifs.is_some() && expr.ty == Type::NUMBER;
-        let value = if inside { exactly(value).map_err(|error| self.scalar_error(error, span))? } else { value };
+        let value =
+            if inside { exactly(value).map_err(|error| self.scalar_error(error, span))? } else { value };
         Ok(Value::Scalar(value))
     }
 
@@ -71,7 +83,8 @@ impl Evaluator<'_> {
         }
         best.ok_or_else(|| {
             let message = format!("`{}` of an empty list", native.declaration().name);
-            self.report(Diagnostic::new(Code::E0604, at.span, message).label("no elements"))
+            let diagnostic = Diagnostic::new(Code::E0604, at.span, message).label("no elements");
+            self.report(diagnostic.hint("is the range or the `if` of the list right?"))
         })
     }
 
@@ -92,13 +105,13 @@ impl Evaluator<'_> {
         for pair in rows.windows(2) {
             if !self.order(&pair[0].0, &pair[1].0, span)?.is_lt() {
                 let message = "the first coordinates of a table rise from row to row";
-                let diagnostic = Diagnostic::new(Code::E0604, arguments[1].span, message).label("do not rise");
+                let diagnostic =
+                    Diagnostic::new(Code::E0604, arguments[1].span, message).label("do not rise");
                 return Err(self.report(diagnostic));
             }
         }
         for pair in rows.windows(2) {
-            let inside =
-                self.order(&pair[0].0, x, span)?.is_le() && self.order(x, &pair[1].0, span)?.is_le();
+            let inside = self.order(&pair[0].0, x, span)?.is_le() && self.order(x, &pair[1].0, span)?.is_le();
             if inside {
                 let line = || {
                     let part = x.minus(&pair[0].0)?.over(&pair[1].0.minus(&pair[0].0)?)?;
@@ -140,7 +153,9 @@ impl Evaluator<'_> {
             Native::Sqrt => {
                 if self.order(x, &Scalar::zero(), span)?.is_lt() {
                     let message = "there is no square root of a number below 0";
-                    return Err(self.report(Diagnostic::new(Code::E0604, span, message).label("below 0")));
+                    let is = super::words(x, &argument.ty);
+                    let diagnostic = Diagnostic::new(Code::E0604, span, message).label(format!("is {is}"));
+                    return Err(self.report(diagnostic.hint("do the lengths fit each other?")));
                 }
                 square_root(x)
             }

@@ -114,6 +114,21 @@ impl Evaluator<'_> {
         Ok(value)
     }
 
+    /// A range is stepped through upwards, so its step is above 0.
+    fn rising_step(&mut self, name: &str, param: &Param) -> Outcome<()> {
+        let Some(step) = &param.step else { return Ok(()) };
+        let value = self.body(step)?;
+        let rises = value
+            .scalar()
+            .is_some_and(|value| value.compare(&Scalar::zero()).is_ok_and(std::cmp::Ordering::is_gt));
+        if rises {
+            return Ok(());
+        }
+        let message = format!("the range of `{name}` has no end with a step that is not above 0");
+        let diagnostic = Diagnostic::new(Code::E0607, step.value.span, message).label("not above 0");
+        Err(self.report(diagnostic.hint("leave the step out, or make it larger than 0")))
+    }
+
     fn in_range(
         &mut self,
         name: &str,
@@ -131,18 +146,17 @@ impl Evaluator<'_> {
         let inside = |a: &Scalar, b: &Scalar| a.compare(b).is_ok_and(std::cmp::Ordering::is_le);
         let words = |scalar: &Scalar| super::words(scalar, &param.ty);
         if !inside(least, most) {
-            let message = format!("the range of `{name}` is empty: {} is above {}", words(least), words(most));
-            return Err(self.report(Diagnostic::new(Code::E0607, range_span, message).label("nothing lies in it")));
+            let message =
+                format!("the range of `{name}` is empty: {} is above {}", words(least), words(most));
+            let diagnostic = Diagnostic::new(Code::E0607, range_span, message).label("nothing lies in it");
+            return Err(self.report(diagnostic.hint("write the smaller end first")));
         }
+        self.rising_step(name, param)?;
         if inside(least, value) && inside(value, most) {
             return Ok(());
         }
-        let message = format!(
-            "`{name}` is {}, outside of its range {} .. {}",
-            words(value),
-            words(least),
-            words(most)
-        );
+        let message =
+            format!("`{name}` is {}, outside of its range {} .. {}", words(value), words(least), words(most));
         let nearest = if inside(value, least) { words(least) } else { words(most) };
         let place = if set { name_span } else { param.default.value.span };
         let diagnostic = Diagnostic::new(Code::E0601, place, message)

@@ -8,7 +8,14 @@ use crate::source::Span;
 use std::sync::Arc;
 
 impl Evaluator<'_> {
-    pub(super) fn on(&mut self, frame: &mut Frame, ifs: &Expr, points: &Expr, at: Span, span: Span) -> Outcome<Value> {
+    pub(super) fn on(
+        &mut self,
+        frame: &mut Frame,
+        ifs: &Expr,
+        points: &Expr,
+        at: Span,
+        span: Span,
+    ) -> Outcome<Value> {
         let ifs_value = self.expr(frame, ifs)?;
         let points = self.expr(frame, points)?;
         let Value::Ifs(ifs_value) = ifs_value else { return Err(Stop::Reported) };
@@ -37,9 +44,17 @@ impl Evaluator<'_> {
         if list.len() != needed {
             let name = self.hir.item(instance.ifs).name.clone();
             let declared = self.hir.item(instance.ifs).name_span;
-            let message = format!("`{name}` is placed on {needed} control points, but {} are given", list.len());
-            let diagnostic = Diagnostic::new(Code::E0504, at, message).label(format!("{} points", list.len()));
-            return Err(self.report(diagnostic.also(declared, "declared here")));
+            let message =
+                format!("`{name}` is placed on {needed} control points, but {} are given", list.len());
+            let label =
+                if list.len() == 1 { "one point".to_owned() } else { format!("{} points", list.len()) };
+            let diagnostic =
+                Diagnostic::new(Code::E0504, at, message).label(label).also(declared, "declared here");
+            let hint = match list.len() > needed {
+                true => format!("take a part of the list: `[0..{needed}]`"),
+                false => "add the points that are missing".to_owned(),
+            };
+            return Err(self.report(diagnostic.hint(hint)));
         }
         let (points, dimension) = self.placed(list, at)?;
         Ok(Shape::Curve { ifs: instance.clone(), points, dimension })
@@ -54,7 +69,8 @@ impl Evaluator<'_> {
                 needed.0, needed.1
             );
             let diagnostic = Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}"));
-            let hint = format!("take a part of it, such as `[0..{}, 0..{}]`, or use `sheet`", needed.0, needed.1);
+            let hint =
+                format!("take a part of it, such as `[0..{}, 0..{}]`, or use `sheet`", needed.0, needed.1);
             return Err(self.report(diagnostic.hint(hint)));
         }
         let (u, v) = (u.clone(), v.clone());
@@ -62,8 +78,9 @@ impl Evaluator<'_> {
     }
 
     /// `sheet(u, v, net)`
-    pub(super) fn sheet(&mut self, u: &Value, v: &Value, net: &Value, at: Span, span: Span) -> Outcome<Value> {
-        let (Some(u), Some(v)) = (self.factor(u, span)?, self.factor(v, span)?) else {
+    pub(super) fn sheet(&mut self, values: [&Value; 3], places: [Span; 3], span: Span) -> Outcome<Value> {
+        let ([u, v, net], [u_at, v_at, at]) = (values, places);
+        let (Some(u), Some(v)) = (self.factor(u, u_at)?, self.factor(v, v_at)?) else {
             return Err(Stop::Reported);
         };
         let (net, rows, columns) = self.net(net, at)?;
@@ -73,7 +90,8 @@ impl Evaluator<'_> {
                 "a sheet needs a net of at least {} by {} control points, but this one is {rows} by {columns}",
                 needed.0, needed.1
             );
-            return Err(self.report(Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}"))));
+            let diagnostic = Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}"));
+            return Err(self.report(diagnostic.hint("add rows or columns of control points")));
         }
         let shape = Shape::Sheet { u, v, net, rows, columns, windows: true };
         Ok(Value::Figure(Arc::new(Figure { shape, level: None, span })))
@@ -90,7 +108,8 @@ impl Evaluator<'_> {
             }
             IfsValue::Tensor(..) => {
                 let message = "a surface is the product of two curves, not of surfaces";
-                Err(self.report(Diagnostic::new(Code::E0510, span, message).label("a product of a product")))
+                let diagnostic = Diagnostic::new(Code::E0510, span, message).label("a surface already");
+                Err(self.report(diagnostic.hint("name the ifs of a curve, such as `bezier3`")))
             }
         }
     }
@@ -99,25 +118,33 @@ impl Evaluator<'_> {
     fn net(&mut self, points: &Value, at: Span) -> Outcome<(Vec<[f64; 3]>, usize, usize)> {
         let rows = points.list().ok_or(Stop::Reported)?;
         let columns = rows.first().and_then(Value::list).map_or(0, <[Value]>::len);
+        if rows.is_empty()
+            || (columns == 0 && rows.iter().all(|row| row.list().is_some_and(<[Value]>::is_empty)))
+        {
+            let diagnostic = Diagnostic::new(Code::E0510, at, "the net has no points").label("empty");
+            return Err(self.report(diagnostic.hint("a net is a list of rows: `[[(0m, 0m, 0m), …], …]`")));
+        }
         let mut net = Vec::new();
         for (index, row) in rows.iter().enumerate() {
             let Some(row) = row.list() else {
                 let message = "a surface is placed on a grid: a list of rows of control points";
-                return Err(self.report(Diagnostic::new(Code::E0510, at, message).label("a plain list")));
+                let diagnostic = Diagnostic::new(Code::E0510, at, message).label("a plain list");
+                return Err(self.report(
+                    diagnostic.hint("a grid is a list of lists: `[[… for j in 0..4] for i in 0..4]`"),
+                ));
             };
             if row.len() != columns {
                 let message = format!("row {index} of the net has {} points, row 0 has {columns}", row.len());
-                return Err(self.report(Diagnostic::new(Code::E0510, at, message).label("rows of different lengths")));
+                let diagnostic = Diagnostic::new(Code::E0510, at, message).label("rows of different lengths");
+                return Err(self.report(diagnostic.hint("every row of a net has the same number of points")));
             }
             let (points, dimension) = self.placed(row, at)?;
             if dimension != 3 {
                 let message = "the control points of a surface have three coordinates";
-                return Err(self.report(Diagnostic::new(Code::E0510, at, message).label("two coordinates")));
+                let diagnostic = Diagnostic::new(Code::E0510, at, message).label("two coordinates");
+                return Err(self.report(diagnostic.hint("give every point a height: `(x, y, z)`")));
             }
             net.extend(points);
-        }
-        if net.is_empty() {
-            return Err(self.report(Diagnostic::new(Code::E0510, at, "the net has no points").label("empty")));
         }
         Ok((net, rows.len(), columns))
     }
@@ -149,19 +176,25 @@ impl Evaluator<'_> {
         Ok((out, coordinates.len() as u8))
     }
 
-    pub(super) fn at(&mut self, frame: &mut Frame, figure: &Expr, u: &Expr, v: Option<&Expr>) -> Outcome<Value> {
+    pub(super) fn at(
+        &mut self,
+        frame: &mut Frame,
+        figure: &Expr,
+        u: &Expr,
+        v: Option<&Expr>,
+    ) -> Outcome<Value> {
         let Value::Figure(value) = self.expr(frame, figure)? else { return Err(Stop::Reported) };
         let level = self.level(frame, u)?;
         let second = match v {
             Some(v) => Some(self.level(frame, v)?),
             None => None,
         };
+        let span = v.map_or(u.span, |v| u.span.to(v.span));
         if let (Some(_), Shape::Curve { .. }) = (second, &value.shape) {
             let message = "a curve has one level, not two";
-            let diagnostic = Diagnostic::new(Code::E0604, u.span, message).label("two levels");
-            return Err(self.report(diagnostic.hint("write `at level 4`")));
+            let diagnostic = Diagnostic::new(Code::E0604, span, message).label("two levels");
+            return Err(self.report(diagnostic.hint(format!("write `at level {level}`"))));
         }
-        let span = v.map_or(u.span, |v| u.span.to(v.span));
         let level = Some(Level { u: level, v: second, span });
         Ok(Value::Figure(Arc::new(Figure { level, ..value.as_ref().clone() })))
     }
@@ -169,8 +202,9 @@ impl Evaluator<'_> {
     fn level(&mut self, frame: &mut Frame, level: &Expr) -> Outcome<u32> {
         let value = self.integer(frame, level)?;
         if value < 0 {
-            let message = format!("a level is not below 0, but this is {value}");
-            return Err(self.report(Diagnostic::new(Code::E0604, level.span, message).label("below 0")));
+            let message = format!("a level is 0 or more, but this is {value}");
+            let diagnostic = Diagnostic::new(Code::E0604, level.span, message).label("below 0");
+            return Err(self.report(diagnostic.hint("level 0 is the germ itself on the control points")));
         }
         Ok(u32::try_from(value).unwrap_or(u32::MAX))
     }

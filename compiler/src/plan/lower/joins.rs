@@ -3,8 +3,12 @@
 use super::{FigureSource, Lowering};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
-use crate::hir::tree::ItemKind;
-use crate::ifs::{Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join};
+use crate::hir::dimension::Dimension;
+use crate::hir::evaluate::quantity_words;
+use crate::hir::tree::{ItemId, ItemKind};
+use crate::ifs::{
+    Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join,
+};
 use crate::plan::figure::{FigurePlan, Shape};
 use crate::source::Span;
 use std::collections::BTreeMap;
@@ -15,37 +19,49 @@ impl Lowering<'_, '_> {
     /// Warns of every ifs a figure stands on that is not proved to contract.
     pub(super) fn check_contraction(&mut self, automaton: &Automaton, figures: &[Planned]) {
         let mut warned: Vec<Span> = Vec::new();
-        for state in roots(figures) {
+        for (state, item) in roots(figures) {
             let span = self.state_span(state);
             let verdict = contraction(automaton, state);
             if matches!(verdict, Contraction::Proved { .. }) || warned.contains(&span) {
                 continue;
             }
             warned.push(span);
-            self.warn_of_contraction(automaton, state, &verdict, span);
+            // An ifs of the library is as it should be: what it is given here is not.
+            let own = span.file == self.hir.root;
+            let at = if own { span } else { self.hir.item(item).name_span };
+            self.warn_of_contraction(automaton, state, &verdict, at);
         }
     }
 
-    fn warn_of_contraction(&mut self, automaton: &Automaton, state: StateId, verdict: &Contraction, span: Span) {
+    fn warn_of_contraction(
+        &mut self,
+        automaton: &Automaton,
+        state: StateId,
+        verdict: &Contraction,
+        span: Span,
+    ) {
         let found = &automaton.state(state).name;
         let diagnostic = match verdict {
             Contraction::Proved { .. } => return,
             Contraction::Refuted { word } => {
                 let word = word.display(automaton);
-                let message = format!("`{found}` does not contract: repeating {word} never gets smaller");
+                let message = format!("`{found}` does not contract: repeating `{word}` never gets smaller");
                 Diagnostic::new(Code::W0508, span, message)
                     .label("there is no limit figure for all control points")
                     .hint("move the images of the control points closer together, or use more transforms")
             }
             Contraction::Open { length, bound } => {
                 let message = format!(
-                    "`{found}` could not be proved to contract: words of {length} transforms shrink by {bound:.4} at worst"
+                    "`{found}` could not be proved to contract: after {length} steps pieces could still be {bound:.4} times as large"
                 );
-                Diagnostic::new(Code::W0509, span, message).label("not proved, and not refuted")
+                Diagnostic::new(Code::W0509, span, message)
+                    .label("not proved, and not refuted")
+                    .hint("if the figure looks right at a high level, all is well")
             }
         };
         let factors = automaton.state(state).transforms.iter().map(|transform| {
-            format!("{} {:.4}", transform.name, difference_norm(transform).to_f64())
+            let factor = quantity_words(difference_norm(transform).to_f64(), Dimension::NUMBER);
+            format!("`{}` {factor}", transform.name)
         });
         let note = format!("factors of one step: {}", factors.collect::<Vec<_>>().join(", "));
         self.diagnostics.push(diagnostic.note(note));
@@ -85,14 +101,28 @@ impl Lowering<'_, '_> {
         known: &mut BTreeMap<StateId, Joins>,
         said: &[(Span, StateId)],
     ) -> bool {
-        let at = self.hir.item(source.item).name_span;
+        let named = self.hir.item(source.item).name_span;
         match &figure.shape {
             Shape::Curve { state, .. } => {
                 let verdict = known.entry(*state).or_insert_with(|| joins(automaton, *state)).clone();
                 if verdict != Joins::Joined && !said.iter().any(|(_, other)| other == state) {
-                    let why = "figures whose pieces do not join are not available yet";
-                    let diagnostic = self.open(automaton, *state, &verdict, at, why);
-                    self.diagnostics.push(diagnostic);
+                    let made = self.hir.fabricates.iter().find(|block| block.figure == source.item);
+                    let diagnostic = match made {
+                        Some(block) => {
+                            let why = format!("{} are made of what holds together", block.kind.name());
+                            self.open(automaton, *state, &verdict, block.figure_span, &why)
+                        }
+                        None => {
+                            let why = "figures of separate pieces are not available yet";
+                            Diagnostic {
+                                code: Code::E0001,
+                                ..self.open(automaton, *state, &verdict, named, why)
+                            }
+                        }
+                    };
+                    if !self.diagnostics.contains(&diagnostic) {
+                        self.diagnostics.push(diagnostic);
+                    }
                 }
                 verdict == Joins::Joined
             }
@@ -103,6 +133,9 @@ impl Lowering<'_, '_> {
                         continue;
                     }
                     let verdict = windows_join(automaton, state);
+                    let instance = self.states.instances.get(state.index());
+                    let used = self.evaluator.must_join().iter().find(|used| Some(&used.ifs) == instance);
+                    let at = used.map_or(named, |used| used.span);
                     if verdict != Joins::Joined {
                         let diagnostic = self.open_windows(automaton, state, &verdict, at);
                         if !self.diagnostics.contains(&diagnostic) {
@@ -116,15 +149,25 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn open(&self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span, why: &str) -> Diagnostic {
+    fn open(
+        &self,
+        automaton: &Automaton,
+        state: StateId,
+        verdict: &Joins,
+        at: Span,
+        why: &str,
+    ) -> Diagnostic {
         let name = &automaton.state(state).name;
         let Joins::Open(open) = verdict else {
             let message = format!("the pieces of `{name}` could not be proved to meet");
-            return Diagnostic::new(Code::E0505, at, message).label("not proved").note("the proof takes too many steps");
+            return Diagnostic::new(Code::E0505, at, message)
+                .label(why)
+                .note("the proof takes too many steps");
         };
         let transforms = &automaton.state(open.state).transforms;
         let (left, right) = (&transforms[open.left].name, &transforms[open.right].name);
-        let message = format!("the pieces of `{name}` do not meet: `{left}` does not end where `{right}` starts");
+        let message =
+            format!("the pieces of `{name}` do not meet: `{left}` does not end where `{right}` starts");
         let mut diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
         if let (Some(first), Some(second)) =
             (self.transform_span(open.state, open.left), self.transform_span(open.state, open.right))
@@ -135,7 +178,8 @@ impl Lowering<'_, '_> {
                 .also(second, format!("starts at {}", weights(&open.right_weights, &names)));
         }
         diagnostic = diagnostic.note(self.difference(open));
-        diagnostic.hint(format!("give the last image of `{left}` and the first image of `{right}` the same point"))
+        diagnostic
+            .hint(format!("give the last image of `{left}` and the first image of `{right}` the same point"))
     }
 
     fn open_windows(&self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span) -> Diagnostic {
@@ -176,24 +220,39 @@ impl Lowering<'_, '_> {
     }
 }
 
-fn roots(figures: &[Planned]) -> Vec<StateId> {
-    let mut roots = Vec::new();
-    for (figure, _) in figures {
+/// Every state a figure stands on, with the first figure that does.
+fn roots(figures: &[Planned]) -> Vec<(StateId, ItemId)> {
+    let mut roots = BTreeMap::new();
+    for (figure, source) in figures {
         match &figure.shape {
-            Shape::Curve { state, .. } => roots.push(*state),
-            Shape::Sheet(sheet) => roots.extend([sheet.u, sheet.v]),
+            Shape::Curve { state, .. } => {
+                roots.entry(*state).or_insert(source.item);
+            }
+            Shape::Sheet(sheet) => {
+                for state in [sheet.u, sheet.v] {
+                    roots.entry(state).or_insert(source.item);
+                }
+            }
         }
     }
-    roots.sort_unstable();
-    roots.dedup();
-    roots
+    roots.into_iter().collect()
 }
 
-/// `1/2 p0 + 1/2 p1`
+/// `1/2 p0 - 1/2 p1`
 fn weights(weights: &[Rational], names: &[String]) -> String {
-    let parts = weights.iter().zip(names).filter(|(weight, _)| !weight.is_zero());
-    let words: Vec<String> = parts
-        .map(|(weight, name)| if weight.is_one() { name.clone() } else { format!("{weight} {name}") })
-        .collect();
-    if words.is_empty() { "nothing".to_owned() } else { words.join(" + ") }
+    let mut words = String::new();
+    for (weight, name) in weights.iter().zip(names).filter(|(weight, _)| !weight.is_zero()) {
+        words.push_str(match (words.is_empty(), weight.is_negative()) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        });
+        let size = weight.abs();
+        if !size.is_one() {
+            words.push_str(&format!("{size} "));
+        }
+        words.push_str(name);
+    }
+    if words.is_empty() { "nothing".to_owned() } else { words }
 }

@@ -44,13 +44,19 @@ pub fn lower<'h>(
     evaluator: &mut Evaluator<'h>,
     overrides: &Overrides,
 ) -> (Option<Lowered>, Vec<Diagnostic>) {
-    let mut lowering = Lowering { hir, evaluator, states: States::default(), diagnostics: Vec::new(), failed: false };
+    let mut lowering =
+        Lowering { hir, evaluator, states: States::default(), diagnostics: Vec::new(), failed: false };
     let mut figures = Vec::new();
+    // An ifs is checked for all its parameters before a figure asks for some of them: one mistake, said once.
+    for (id, _) in hir.own_items().filter(|(_, item)| matches!(item.kind, ItemKind::Ifs(_))) {
+        lowering.evaluator.check_symbolically(id);
+    }
     for (id, item) in hir.own_items() {
         match &item.kind {
             ItemKind::Figure(_) => figures.extend(lowering.figure(id, overrides)),
-            ItemKind::Param(_) | ItemKind::Let(_) => lowering.failed |= lowering.evaluator.global(id).is_err(),
-            ItemKind::Ifs(_) => lowering.evaluator.check_symbolically(id),
+            ItemKind::Param(_) | ItemKind::Let(_) => {
+                lowering.failed |= lowering.evaluator.global(id).is_err()
+            }
             _ => {}
         }
     }
@@ -169,7 +175,8 @@ impl Lowering<'_, '_> {
     fn over_budget(&mut self, plan: &Plan, error: &BudgetError, sources: &[FigureSource]) {
         let (BudgetError::TooDeep { figure, .. } | BudgetError::TooMany { figure, .. }) = error;
         let place = plan.figures().iter().position(|planned| planned.to_string() == *figure);
-        let span = place.and_then(|place| sources.get(place)).map_or(Span::default(), |source| source.level_span);
+        let span =
+            place.and_then(|place| sources.get(place)).map_or(Span::default(), |source| source.level_span);
         let (message, hint) = match error {
             BudgetError::TooDeep { level, .. } => (
                 format!("level {level} is deeper than {}", budget::MAX_LEVEL),

@@ -2,10 +2,8 @@
 
 use super::Lowering;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::evaluate::{InstanceBody, words};
-use crate::hir::tree::{Hir, ItemKind};
-use crate::hir::types::Type;
-use crate::hir::value::{Instance, Value};
+use crate::hir::evaluate::{InstanceBody, instance_name};
+use crate::hir::value::Instance;
 use crate::ifs::{Automaton, AutomatonError, Germ, MAX_STATES, Matrix, State, StateId, Transform};
 use crate::source::Span;
 
@@ -53,8 +51,10 @@ impl Lowering<'_, '_> {
                     "`{}` leads to more than {MAX_STATES} states: each set of arguments is a state",
                     item.name
                 );
-                let diagnostic = Diagnostic::new(Code::E0702, item.name_span, message).label("too many states");
-                let hint = "let transforms continue with the same arguments, or with one of a few sets of them";
+                let diagnostic =
+                    Diagnostic::new(Code::E0702, item.name_span, message).label("too many states");
+                let hint =
+                    "let transforms continue with the same arguments, or with one of a few sets of them";
                 self.diagnostics.push(diagnostic.hint(hint));
             }
             return None;
@@ -96,13 +96,16 @@ impl Lowering<'_, '_> {
     fn not_an_automaton(&mut self, error: &AutomatonError) {
         let (state, code) = match error {
             AutomatonError::WrongSize { state, .. } => (state, Code::E0503),
-            AutomatonError::NoControlPoints { state } | AutomatonError::NoTransforms { state } => (state, Code::E0507),
+            AutomatonError::NoControlPoints { state } | AutomatonError::NoTransforms { state } => {
+                (state, Code::E0507)
+            }
             AutomatonError::TooManyStates { .. } => return,
             AutomatonError::UnknownTarget { state, .. }
             | AutomatonError::WeightSum { state, .. }
             | AutomatonError::GermWeights { state, .. } => (state, Code::E0501),
         };
-        let instance = self.states.instances.iter().find(|instance| instance_name(self.hir, instance) == *state);
+        let instance =
+            self.states.instances.iter().find(|instance| instance_name(self.hir, instance) == *state);
         let span = instance.map_or(Span::default(), |instance| self.hir.item(instance.ifs).name_span);
         self.diagnostics.push(Diagnostic::new(code, span, error.to_string()).label("this ifs"));
     }
@@ -117,26 +120,4 @@ impl Lowering<'_, '_> {
     pub(super) fn germ_span(&self, state: StateId) -> Option<Span> {
         Some(self.states.bodies.get(state.index())?.as_ref()?.germ_span)
     }
-}
-
-/// An ifs with its arguments as an architect would write it: `bezier3(t: 23/50)`.
-fn instance_name(hir: &Hir, instance: &Instance) -> String {
-    let item = hir.item(instance.ifs);
-    let ItemKind::Ifs(ifs) = &item.kind else { return item.name.clone() };
-    if ifs.parameters.is_empty() {
-        return item.name.clone();
-    }
-    let arguments = ifs.parameters.iter().zip(&instance.arguments).map(|(parameter, value)| {
-        let value = match value {
-            Value::Scalar(scalar) => match scalar.to_rational() {
-                Some(exact) if parameter.ty == Type::NUMBER || parameter.ty == Type::Int => exact.to_string(),
-                _ => words(scalar, &parameter.ty),
-            },
-            Value::Bool(truth) => truth.to_string(),
-            Value::Text(text) => format!("{text:?}"),
-            _ => "…".to_owned(),
-        };
-        format!("{}: {value}", parameter.name)
-    });
-    format!("{}({})", item.name, arguments.collect::<Vec<_>>().join(", "))
 }

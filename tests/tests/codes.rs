@@ -1,0 +1,184 @@
+//! The codes of diagnostics: each is covered by the annotated suite, or by a test named here.
+#![allow(clippy::disallowed_methods, reason = "the tests read the sources")]
+#![allow(clippy::unwrap_used, reason = "a test may fail anywhere")]
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use ifs_compiler::analysis::{Analysis, analyse};
+use ifs_compiler::diagnostic::{Code, Diagnostic, Severity};
+use ifs_compiler::hir::LIBRARY;
+use ifs_compiler::hir::evaluate::Overrides;
+use ifs_compiler::source::{Files, MemoryFiles, ReadError};
+use ifs_compiler::syntax::limits::MAX_BYTES;
+use ifs_tests::{root, sources, suite};
+
+/// Codes that no text alone can bring about, each with the test that does.
+const ELSEWHERE: &[(&str, &str)] = &[
+    ("E0101", "bytes_that_are_no_text"),
+    ("E0108", "a_file_beyond_the_limit"),
+    ("E0306", "a_file_that_cannot_be_read"),
+    ("E0605", "a_parameter_the_design_does_not_have"),
+    ("E0606", "a_text_that_is_no_value"),
+];
+
+/// Codes of the machine shop, whose programs are not part of the analysis.
+const SHOP: &[Code] = &[Code::E0901, Code::E0902];
+
+#[test]
+fn every_code_is_covered() {
+    let table: Vec<&str> =
+        Code::ALL.iter().filter(|code| !SHOP.contains(code)).map(|code| code.name()).collect();
+    let covered = suite::covered(&root().join("tests/suite")).unwrap();
+    let tests = fs::read_to_string(root().join("tests/tests/codes.rs")).unwrap();
+    let faults = suite::faults_of_coverage(&table, &covered, ELSEWHERE, &tests);
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The analysis of one design with parameters set.
+fn analysed(bytes: &[u8], settings: &[(&str, &str)]) -> Analysis {
+    let parameters = settings.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
+    let overrides = Overrides { parameters: parameters.collect::<BTreeMap<_, _>>(), ..Overrides::default() };
+    analyse(&MemoryFiles::default().with("design.ifs", bytes), "design.ifs", &overrides)
+}
+
+/// The only diagnostic of an analysis.
+fn only(analysis: &Analysis) -> &Diagnostic {
+    let found: Vec<&str> = analysis.diagnostics.iter().map(|found| found.message.as_str()).collect();
+    assert_eq!(found.len(), 1, "{found:?}");
+    &analysis.diagnostics[0]
+}
+
+#[test]
+fn bytes_that_are_no_text() {
+    let analysis = analysed(b"let width = 27mm\nlet name = \"F\xfcrst\"\n", &[]);
+    let found = only(&analysis);
+    assert_eq!((found.code, found.span.start), (Code::E0101, 30));
+    assert!(found.message.contains("0xfc"), "{}", found.message);
+}
+
+#[test]
+fn a_file_beyond_the_limit() {
+    let analysis = analysed(&vec![b' '; MAX_BYTES + 1], &[]);
+    assert_eq!(only(&analysis).code, Code::E0108);
+}
+
+/// A folder whose every file is refused.
+struct Refused;
+
+impl Files for Refused {
+    fn read(&self, _: &str) -> Result<Vec<u8>, ReadError> {
+        Err(ReadError::Other("permission denied".to_owned()))
+    }
+}
+
+#[test]
+fn a_file_that_cannot_be_read() {
+    let missing = analyse(&MemoryFiles::default(), "vault.ifs", &Overrides::default());
+    assert_eq!(only(&missing).code, Code::E0306);
+    assert!(only(&missing).message.contains("`vault.ifs`"));
+    let refused = analyse(&Refused, "vault.ifs", &Overrides::default());
+    assert!(only(&refused).message.ends_with("permission denied"));
+}
+
+#[test]
+fn a_parameter_the_design_does_not_have() {
+    let text = b"param span: Length = 6m in 4m .. 9m\nlet half = span / 2\n";
+    let analysis = analysed(text, &[("spam", "7m")]);
+    let found = only(&analysis);
+    assert_eq!(found.code, Code::E0605);
+    assert!(found.hints.iter().any(|hint| hint.text.contains("`span`")), "{:?}", found.hints);
+}
+
+#[test]
+fn a_text_that_is_no_value() {
+    let text = b"param span: Length = 6m in 4m .. 9m\nlet half = span / 2\n";
+    for value in ["7", "7deg", "wide", "-", ""] {
+        let analysis = analysed(text, &[("span", value)]);
+        let found = only(&analysis);
+        assert_eq!(found.code, Code::E0606, "{value}");
+        assert!(found.hints.iter().any(|hint| hint.text.contains("--set span=")), "{:?}", found.hints);
+    }
+    assert!(analysed(text, &[("span", "7m")]).diagnostics.is_empty());
+}
+
+/// What is wrong in a design, each with its place.
+fn said(name: &str, analysis: &Analysis) -> Vec<String> {
+    let found = analysis.diagnostics.iter();
+    found
+        .map(|found| format!("{name} at byte {}: {} {}", found.span.start, found.code.name(), found.message))
+        .collect()
+}
+
+#[test]
+fn every_example_is_without_fault() {
+    let examples = sources::files(&root().join("examples"), "ifs");
+    assert!(examples.len() > 1);
+    for path in examples {
+        let analysis = analysed(&fs::read(&path).unwrap(), &[]);
+        let said = said(&path.display().to_string(), &analysis);
+        assert!(said.is_empty(), "{}", said.join("\n"));
+    }
+}
+
+/// Each module of the library with the modules that its own text uses without import.
+#[test]
+fn every_module_of_the_library_is_without_fault() {
+    for (name, text) in LIBRARY {
+        let analysis = analysed(text.as_bytes(), &[]);
+        let said = said(name, &analysis);
+        assert!(said.is_empty(), "{}", said.join("\n"));
+    }
+}
+
+/// A block of a page: where it begins, what stands after its three backticks, its text.
+struct Block {
+    place: String,
+    words: String,
+    text: String,
+}
+
+fn blocks() -> Vec<Block> {
+    let mut pages = sources::files(&root().join("docs"), "md");
+    pages.push(root().join("README.md"));
+    let mut blocks = Vec::new();
+    for path in pages {
+        let page = fs::read_to_string(&path).unwrap();
+        let mut lines = page.lines().enumerate();
+        while let Some((line, text)) = lines.next() {
+            let Some(words) = text.trim_start().strip_prefix("```") else { continue };
+            let inner = lines.by_ref().map(|(_, line)| line).take_while(|line| line.trim() != "```");
+            let text = inner.map(|line| format!("{line}\n")).collect();
+            let place = format!("{}:{}", path.strip_prefix(root()).unwrap().display(), line + 1);
+            blocks.push(Block { place, words: words.trim().to_owned(), text });
+        }
+    }
+    blocks
+}
+
+/// What a page shows as wrong has the page's code; all else can be used as it stands.
+#[test]
+fn the_designs_in_the_documentation_mean_what_it_says() {
+    let mut faults = Vec::new();
+    let mut seen = 0;
+    for block in blocks() {
+        let Some(words) = block.words.strip_prefix("ifs") else { continue };
+        seen += 1;
+        let code = block.place.rsplit('/').next().and_then(|name| Code::parse(name.split('.').next()?));
+        let settings: Vec<(&str, &str)> =
+            words.split_whitespace().filter_map(|word| word.split_once('=')).collect();
+        let analysis = analysed(block.text.as_bytes(), &settings);
+        let wrong = words.split_whitespace().any(|word| word == "wrong");
+        let errors = analysis.diagnostics.iter().filter(|found| found.code.severity() == Severity::Error);
+        match (wrong, code) {
+            (true, Some(code)) if !analysis.diagnostics.iter().any(|found| found.code == code) => {
+                faults.push(format!("{} is to show {}: {:?}", block.place, code.name(), said("", &analysis)));
+            }
+            (true, None) if errors.count() == 0 => faults.push(format!("{} shows no error", block.place)),
+            (false, _) if !analysis.diagnostics.is_empty() => faults.extend(said(&block.place, &analysis)),
+            _ => {}
+        }
+    }
+    assert!(seen > 50, "only {seen} designs are shown");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
