@@ -2,7 +2,8 @@
 //! syntax error is what has to be mended, and they are found again after that if they are true.
 //!
 //! What lies in the smallest piece around a syntax error (a member of an ifs, a line of a fabricate block, else the whole
-//! item) is not judged, and a name that occurs in a piece that is no item or member at all may have been declared there.
+//! item) is not judged, and a name that occurs in a piece that is no item or member at all may have been declared there;
+//! where such a piece has no name, any unknown one may.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -22,15 +23,18 @@ pub(super) fn without(found: Vec<Diagnostic>, text: &str, parse: &Parse) -> Vec<
     let file = parse.diagnostics[0].span.file;
     let lost: BTreeSet<&str> =
         broken.iter().filter(|piece| piece.lost).flat_map(|piece| names(text, piece)).collect();
-    // An item whose very name is missing may be the one that others look for.
-    let nameless = broken.iter().any(|piece| piece.lost && declares_nothing(text, piece));
+    let nameless = broken.iter().any(|piece| piece.lost && is_nameless(text, piece));
     let inside =
         |span: Span| span.file == file && broken.iter().any(|piece| piece.range.contains(&span.start));
     let names_lost = |diagnostic: &Diagnostic| {
         matches!(diagnostic.code, Code::E0301 | Code::E0409)
             && (nameless || text.get(diagnostic.span.range()).is_some_and(|name| lost.contains(name)))
     };
-    found.into_iter().filter(|diagnostic| !inside(diagnostic.span) && !names_lost(diagnostic)).collect()
+    // What uses an import may stand in what could not be understood.
+    let stands = |diagnostic: &Diagnostic| {
+        diagnostic.code != Code::W0307 && !inside(diagnostic.span) && !names_lost(diagnostic)
+    };
+    found.into_iter().filter(stands).collect()
 }
 
 /// Whether an error of the parser leaves something out of the tree.
@@ -86,15 +90,15 @@ fn smallest(pieces: impl Iterator<Item = (u32, bool)>, end: u32, at: Span) -> Op
     found
 }
 
+/// Whether the first word of a piece of text is followed by no word: the name that should stand there may be any.
+fn is_nameless(text: &str, piece: &Piece) -> bool {
+    let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
+    let rest = part.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').trim_start();
+    !rest.starts_with(|c: char| c.is_ascii_alphabetic())
+}
+
 /// The words in a piece of text that may be names.
 fn names<'t>(text: &'t str, piece: &Piece) -> Vec<&'t str> {
     let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
     part.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty()).collect()
-}
-
-/// Whether no name follows the keyword of a lost item: `param = 27mm`.
-fn declares_nothing(text: &str, piece: &Piece) -> bool {
-    let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
-    let after = part.trim_start().trim_start_matches(|c: char| c.is_ascii_lowercase()).trim_start();
-    !after.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
 }
