@@ -5,6 +5,7 @@
 //! `export`), and nothing here reads a program back (see `readback`).
 
 pub mod checks;
+pub mod cut_job;
 pub mod engrave;
 pub mod fit;
 pub mod label;

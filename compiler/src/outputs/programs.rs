@@ -6,11 +6,11 @@ use crate::analysis::{Analysis, Elements, Fabrication, field, number, text};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::export::nc;
 use crate::export::number::fixed;
-use crate::fabricate::label::Label;
+use crate::fabricate::cut_job::{CutJob, Engraving};
 use crate::fabricate::machine::{CutDirection, Dialect, Machine, MachineSpec, Tool, WorkOffset, ZZero};
 use crate::fabricate::panel::Panel;
 use crate::fabricate::plank::Plank;
-use crate::fabricate::toolpath::{CutJob, Engraving, program};
+use crate::fabricate::toolpath::program;
 use crate::hir::tree::Hir;
 use crate::hir::value::Value;
 use crate::readback::{Expected, read_back};
@@ -137,16 +137,18 @@ fn panel_job(panel: &Panel, design: &str, hash: &str, (height, least): (f64, f64
         let neighbour = towards(panel.neighbours[edge].as_ref());
         format!("edge {edge}: {bevel}{neighbour}")
     });
-    job(
-        &panel.label,
-        design,
-        hash,
-        panel.outline.clone(),
-        panel.thickness,
-        "outer".to_owned(),
-        notes.collect(),
-    )
-    .engraved(height, least, clearance)
+    let engraving = Engraving { height, least_height: least, clearance, mark_edge_0: true };
+    CutJob {
+        address: panel.label.address.clone(),
+        alias: panel.label.alias.clone(),
+        design: design.to_owned(),
+        design_hash: hash.to_owned(),
+        outline: panel.outline.clone(),
+        thickness: panel.thickness,
+        engraving,
+        face_up: "outer".to_owned(),
+        notes: notes.collect(),
+    }
 }
 
 fn plank_job(plank: &Plank, design: &str, hash: &str, (height, least): (f64, f64)) -> CutJob {
@@ -155,12 +157,18 @@ fn plank_job(plank: &Plank, design: &str, hash: &str, (height, least): (f64, f64
         let neighbour = towards(plank.neighbours[end].as_ref());
         format!("{name}: mitre {} deg cut by this file{neighbour}", degrees(plank.mitres[end]))
     });
-    let face = format!("towards {}", direction(plank.plane_normal));
-    job(&plank.label, design, hash, plank.outline.clone(), plank.width, face, notes.collect()).engraved(
-        height,
-        least,
-        CLEAR_OF_BEVELS,
-    )
+    let engraving = Engraving { height, least_height: least, clearance: CLEAR_OF_BEVELS, mark_edge_0: true };
+    CutJob {
+        address: plank.label.address.clone(),
+        alias: plank.label.alias.clone(),
+        design: design.to_owned(),
+        design_hash: hash.to_owned(),
+        outline: plank.outline.clone(),
+        thickness: plank.width,
+        engraving,
+        face_up: format!("towards {}", direction(plank.plane_normal)),
+        notes: notes.collect(),
+    }
 }
 
 fn towards(neighbour: Option<&String>) -> String {
@@ -184,35 +192,6 @@ fn direction(normal: DVec3) -> String {
         }
     }
     format!("{:.4} {:.4} {:.4}", normal.x, normal.y, normal.z)
-}
-
-fn job(
-    label: &Label,
-    design: &str,
-    hash: &str,
-    outline: Vec<glam::DVec2>,
-    thickness: f64,
-    face_up: String,
-    notes: Vec<String>,
-) -> CutJob {
-    CutJob {
-        address: label.address.clone(),
-        alias: label.alias.clone(),
-        design: design.to_owned(),
-        design_hash: hash.to_owned(),
-        outline,
-        thickness,
-        engraving: Engraving { height: 0.0, least_height: 0.0, clearance: 0.0, mark_edge_0: true },
-        face_up,
-        notes,
-    }
-}
-
-impl CutJob {
-    fn engraved(mut self, height: f64, least_height: f64, clearance: f64) -> Self {
-        self.engraving = Engraving { height, least_height, clearance, mark_edge_0: true };
-        self
-    }
 }
 
 /// The machine of a record of the library's type `Machine`.

@@ -1,7 +1,7 @@
 //! What a program is held against: the job and the machine as figures, and where the part must lie.
 
+use crate::fabricate::cut_job::CutJob;
 use crate::fabricate::machine::Machine;
-use crate::fabricate::toolpath::CutJob;
 use glam::DVec2;
 
 /// What a program must cut, and on what.

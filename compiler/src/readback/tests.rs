@@ -5,10 +5,11 @@ mod seeded;
 
 use super::*;
 use crate::export::nc;
+use crate::fabricate::cut_job::CutJob;
 use crate::fabricate::machine::tests::router;
 use crate::fabricate::machine::{CutDirection, Machine, MachineSpec, ZZero};
+use crate::fabricate::toolpath::program;
 use crate::fabricate::toolpath::tests::{panel, shaped};
-use crate::fabricate::toolpath::{CutJob, program};
 
 /// The program of a job and what reading it back says.
 fn made(job: &CutJob, spec: MachineSpec) -> (String, Result<Readback, Vec<Fault>>) {

@@ -5,7 +5,6 @@
 //! margin and one cutter diameter around it, never turned.
 
 mod contour;
-mod job;
 mod lettering;
 mod offset;
 mod polygon;
@@ -14,10 +13,10 @@ mod refusal;
 #[cfg(test)]
 pub(crate) mod tests;
 
-pub use job::{CutJob, Engraving, MAX_CORNERS};
 pub use program::{Header, Program, Step, Turn};
 pub use refusal::Refusal;
 
+use super::cut_job::{CutJob, MAX_CORNERS};
 use super::machine::{MAX_LENGTH, Machine, Tool};
 use glam::{DVec2, DVec3};
 use polygon::Polygon;

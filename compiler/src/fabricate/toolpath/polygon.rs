@@ -1,7 +1,7 @@
 //! A checked simple polygon, and distances to it. Only what toolpaths need; no offsets (see `offset`).
 
+use super::MAX_CORNERS;
 use super::Refusal;
-use super::job::MAX_CORNERS;
 use crate::fabricate::machine::MAX_LENGTH;
 use glam::DVec2;
 

@@ -1,6 +1,7 @@
 //! Toolpaths of small parts, and every refusal. That a program cuts the right part is shown by `readback`'s tests.
 
 use super::*;
+use crate::fabricate::cut_job::Engraving;
 use crate::fabricate::machine::tests::router;
 
 /// A quad of about 250 mm with the alias `shell-07-12`.

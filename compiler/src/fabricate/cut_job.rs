@@ -1,4 +1,5 @@
-//! What is to be cut: one flat part and what its program has to say about it. Plain data; `program` checks it.
+//! What is to be cut: one flat part and what its program has to say about it. Plain data; `toolpath::program`
+//! checks it, and `readback` holds programs against it.
 
 use glam::DVec2;
 
