@@ -23,7 +23,8 @@ pub(super) fn without(found: Vec<Diagnostic>, text: &str, parse: &Parse) -> Vec<
     let file = parse.diagnostics[0].span.file;
     let lost: BTreeSet<&str> =
         broken.iter().filter(|piece| piece.lost).flat_map(|piece| names(text, piece)).collect();
-    let nameless = broken.iter().any(|piece| piece.lost && is_nameless(text, piece));
+    // An item whose very name is missing may be the one that others look for.
+    let nameless = broken.iter().any(|piece| piece.lost && declares_nothing(text, piece));
     let inside =
         |span: Span| span.file == file && broken.iter().any(|piece| piece.range.contains(&span.start));
     let names_lost = |diagnostic: &Diagnostic| {
@@ -37,9 +38,14 @@ pub(super) fn without(found: Vec<Diagnostic>, text: &str, parse: &Parse) -> Vec<
     found.into_iter().filter(stands).collect()
 }
 
-/// Whether an error of the parser leaves something out of the tree.
+/// Whether an error of the parser leaves something out of the tree. Wrong characters do not: they are passed over, and
+/// wrong numbers and texts are errors that the checker knows of.
 fn breaks(error: &Diagnostic) -> bool {
-    error.severity() == Severity::Error && !matches!(error.code, Code::E0204 | Code::E0205)
+    let harmless = matches!(
+        error.code,
+        Code::E0102 | Code::E0103 | Code::E0104 | Code::E0105 | Code::E0106 | Code::E0204 | Code::E0205
+    );
+    error.severity() == Severity::Error && !harmless
 }
 
 struct Piece {
@@ -90,15 +96,15 @@ fn smallest(pieces: impl Iterator<Item = (u32, bool)>, end: u32, at: Span) -> Op
     found
 }
 
-/// Whether the first word of a piece of text is followed by no word: the name that should stand there may be any.
-fn is_nameless(text: &str, piece: &Piece) -> bool {
-    let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
-    let rest = part.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').trim_start();
-    !rest.starts_with(|c: char| c.is_ascii_alphabetic())
-}
-
 /// The words in a piece of text that may be names.
 fn names<'t>(text: &'t str, piece: &Piece) -> Vec<&'t str> {
     let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
     part.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty()).collect()
+}
+
+/// Whether no name follows the keyword of a lost item: `param = 27mm`.
+fn declares_nothing(text: &str, piece: &Piece) -> bool {
+    let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
+    let after = part.trim_start().trim_start_matches(|c: char| c.is_ascii_lowercase()).trim_start();
+    !after.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
 }
