@@ -14,7 +14,7 @@ use ifs_tests::outcome::run;
 use ifs_tests::{program, scratch};
 
 /// How many builds are killed.
-const KILLS: u32 = 60;
+const KILLS: u32 = 44;
 
 /// A design, and the set that a whole build of it writes.
 struct Design {
