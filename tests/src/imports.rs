@@ -30,8 +30,21 @@ pub const ROOMS: &[(&str, &[&str])] = &[
             "plan",
             "planarize",
             "fabricate",
+        ],
+    ),
+    (
+        "outputs",
+        &[
+            "analysis",
+            "diagnostic",
             "export",
+            "fabricate",
+            "geometry",
+            "hir",
+            "plan",
+            "planarize",
             "readback",
+            "source",
         ],
     ),
 ];

@@ -15,7 +15,7 @@ use ifs_tests::designs::{analysis_of, example_path, example_text, examples};
 use ifs_tests::outcome::run;
 use ifs_tests::referees::{Verdict, gltf_validator, python_referee};
 use ifs_tests::{program, scratch};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// An example as it was built.
 struct Built {
@@ -39,7 +39,44 @@ const REFEREES: &[(&str, Referee)] = &[
     }),
     ("csv, json and hashlib", |built| python_referee("outputs.py", &[&built.folder])),
     ("numpy and shapely", |built| python_referee("figures.py", &[&built.folder])),
+    ("LinuxCNC's rs274 and shapely", |built| {
+        let listing = built.folder.with_extension("programs.json");
+        fs::write(&listing, Value::from(expected_programs(built)).to_string()).unwrap();
+        python_referee("nc.py", &[&built.folder.join("boards"), &listing])
+    }),
 ];
+
+/// What each program must cut, out of the analysis: the outline moved to where the program's header says it sweeps.
+fn expected_programs(built: &Built) -> Vec<Value> {
+    let analysis = analysis_of(&example_text(&built.name));
+    let parts = analysis.fabrications.iter().flat_map(|made| match &made.elements {
+        Elements::Panels(made) => made
+            .panels
+            .iter()
+            .map(|panel| (&panel.label.address, &panel.outline, panel.thickness))
+            .collect::<Vec<_>>(),
+        Elements::Planks(made) => {
+            made.planks.iter().map(|plank| (&plank.label.address, &plank.outline, plank.width)).collect()
+        }
+    });
+    let listed: Vec<Value> = parts
+        .map(|(address, outline, thickness)| {
+            let file = format!("{address}.nc");
+            let text = fs::read_to_string(built.folder.join("boards").join(&file)).unwrap();
+            let after = |start: &str| -> f64 {
+                let line = text.lines().find_map(|line| line.strip_prefix(start)).unwrap();
+                line.split(' ').next().unwrap().parse().unwrap()
+            };
+            let diameter = after("(tool: 1 diameter ");
+            let corner = (after("(swept x: ") + diameter, after("(swept y: ") + diameter);
+            let points: Vec<Value> =
+                outline.iter().map(|point| json!([point.x + corner.0, point.y + corner.1])).collect();
+            json!({ "file": file, "outline": points, "tool_diameter": diameter, "thickness": thickness })
+        })
+        .collect();
+    assert!(!listed.is_empty(), "{}: no boards", built.name);
+    listed
+}
 
 /// All examples, built once for all tests here.
 fn built() -> &'static [Built] {

@@ -10,6 +10,7 @@ pub mod limits;
 mod parser;
 mod repair;
 mod token;
+mod unit;
 
 #[cfg(test)]
 mod tests;
