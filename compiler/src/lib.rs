@@ -14,5 +14,6 @@ pub mod ifs;
 pub mod outputs;
 pub mod plan;
 pub mod planarize;
+pub mod readback;
 pub mod source;
 pub mod syntax;

@@ -1,10 +1,10 @@
-"""trimesh as a referee: it loads a GLB, and every node that says it is a board is a closed solid.
+"""trimesh as a referee: it loads a GLB, and every node that says it is a board or a plank is a closed solid.
 
-    python glb_trimesh.py FILE [--kind board] [--least COUNT]
+    python glb_trimesh.py FILE [--least COUNT]
 
-A node is of a kind where its `extras.kind` says so. Vertices at the same place are taken as one first: flat shading
-needs them several times. Prints one line of JSON with the counts; exit code 1 if a board is open, has turned faces or
-no volume, or if there are fewer boards than asked for.
+A node is a solid where its `extras.kind` is `panel` or `plank`. Vertices at the same place are taken as one first: flat
+shading needs them several times. Prints one line of JSON with the counts; exit code 1 if a solid is open, has turned
+faces or no volume, or if there are fewer than asked for.
 """
 
 import argparse
@@ -15,8 +15,11 @@ import sys
 import trimesh
 
 
-def nodes_of_kind(path, kind):
-    """The names of the nodes of a kind, read from the file's own JSON."""
+KINDS = ("panel", "plank")
+
+
+def solids(path):
+    """The kind and the name of each node that is a solid, read from the file's own JSON."""
     with open(path, "rb") as file:
         magic, version, _ = struct.unpack("<4sII", file.read(12))
         length, chunk = struct.unpack("<I4s", file.read(8))
@@ -24,7 +27,8 @@ def nodes_of_kind(path, kind):
             raise SystemExit(f"{path}: not a GLB of version 2")
         document = json.loads(file.read(length))
     nodes = document.get("nodes", [])
-    return [node.get("name") for node in nodes if (node.get("extras") or {}).get("kind") == kind]
+    kinds = [((node.get("extras") or {}).get("kind"), node.get("name")) for node in nodes]
+    return [(kind, name) for kind, name in kinds if kind in KINDS]
 
 
 def fault(mesh):
@@ -41,15 +45,15 @@ def fault(mesh):
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("file")
-    arguments.add_argument("--kind", default="board")
     arguments.add_argument("--least", type=int, default=1)
     arguments = arguments.parse_args()
 
     scene = trimesh.load_scene(arguments.file)
-    names = nodes_of_kind(arguments.file, arguments.kind)
+    found = solids(arguments.file)
+    names = [name for _, name in found]
     faults = []
     if len(names) < arguments.least:
-        faults.append(f"{len(names)} nodes of kind {arguments.kind}, not {arguments.least}")
+        faults.append(f"{len(names)} solids, not {arguments.least}")
     if len(set(names)) != len(names) or None in names:
         faults.append("nodes without a name of their own")
     volume = 0.0
@@ -60,11 +64,12 @@ def main():
         transform, geometry = scene.graph[name]
         mesh = scene.geometry[geometry].copy().apply_transform(transform)
         mesh.merge_vertices(merge_tex=True, merge_norm=True)
-        found = fault(mesh)
-        if found:
-            faults.append(f"{name}: {found}")
+        wrong = fault(mesh)
+        if wrong:
+            faults.append(f"{name}: {wrong}")
         volume += float(mesh.volume)
-    counts = {"file": arguments.file, "meshes": len(scene.geometry), arguments.kind: len(names), "volume": volume}
+    counts = {"file": arguments.file, "meshes": len(scene.geometry), "volume": volume}
+    counts.update({kind: sum(1 for other, _ in found if other == kind) for kind in KINDS})
     print(json.dumps(counts))
     for text in faults:
         print(f"{arguments.file}: {text}", file=sys.stderr)

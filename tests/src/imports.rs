@@ -16,7 +16,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
     ("planarize", &["geometry"]),
     ("fabricate", &["geometry", "planarize", "plan", "diagnostic", "source", "exact"]),
     ("export", &["fabricate", "geometry", "planarize", "plan"]),
-    ("readback", &["geometry"]),
+    ("readback", &["fabricate"]),
     (
         "analysis",
         &[

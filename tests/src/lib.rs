@@ -9,7 +9,9 @@
 )]
 
 pub mod annotations;
+pub mod designs;
 pub mod imports;
+pub mod outcome;
 pub mod referees;
 pub mod sources;
 pub mod suite;
@@ -35,17 +37,36 @@ pub fn scratch(test: &str) -> PathBuf {
 
 /// The `ifs` program, built from the present sources in the profile of the running test.
 pub fn program() -> Command {
-    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    Command::new(PROGRAM.get_or_init(|| {
-        let test = std::env::current_exe().expect("a test is a program");
-        // target/<profile>/deps/<test>
-        let folder = test.ancestors().nth(2).expect("tests are built below target/");
+    Command::new(program_path(is_release()))
+}
+
+/// The `ifs` program of the other profile than the running test's, built from the present sources: release for a debug
+/// test and the other way round.
+pub fn other_program() -> Command {
+    Command::new(program_path(!is_release()))
+}
+
+/// Where the `ifs` program of a profile lies, after it has been built.
+pub fn program_path(release: bool) -> &'static Path {
+    static BUILT: [OnceLock<PathBuf>; 2] = [OnceLock::new(), OnceLock::new()];
+    BUILT[usize::from(release)].get_or_init(|| {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.args(["build", "--quiet", "-p", "ifs-cli", "--bin", "ifs"]).current_dir(root());
-        if folder.ends_with("release") {
+        // As the README's command selects it, so that one build serves both.
+        cargo.args(["build", "--quiet", "--bin", "ifs"]).current_dir(root());
+        if release {
             cargo.arg("--release");
         }
         assert!(cargo.status().expect("cargo runs").success(), "the program does not build");
-        folder.join("ifs")
-    }))
+        profile_folder().with_file_name(if release { "release" } else { "debug" }).join("ifs")
+    })
+}
+
+/// `target/<profile>` of the running test, which is `target/<profile>/deps/<test>`.
+fn profile_folder() -> PathBuf {
+    let test = std::env::current_exe().expect("a test is a program");
+    test.ancestors().nth(2).expect("tests are built below target/").to_path_buf()
+}
+
+fn is_release() -> bool {
+    profile_folder().ends_with("release")
 }

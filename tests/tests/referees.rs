@@ -41,7 +41,7 @@ fn glb(path: &Path, faces: &[[u16; 3]]) -> PathBuf {
         "asset": {"version": "2.0"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"name": "vault.0.left", "mesh": 0, "extras": {"kind": "board"}}],
+        "nodes": [{"name": "vault.0.left", "mesh": 0, "extras": {"kind": "panel"}}],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
         "accessors": [
             {"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]},
@@ -86,7 +86,7 @@ fn trimesh_takes_a_closed_board_and_refuses_an_open_or_turned_one() {
     let folder = scratch("trimesh");
     let good = python_referee("glb_trimesh.py", &[&glb(&folder.join("cube.glb"), &FACES)]);
     assert!(good.good, "{}", good.faults);
-    assert_eq!((&good.counts["board"], &good.counts["volume"]), (&json!(1), &json!(1.0)));
+    assert_eq!((&good.counts["panel"], &good.counts["volume"]), (&json!(1), &json!(1.0)));
     let open = python_referee("glb_trimesh.py", &[&glb(&folder.join("open.glb"), &FACES[1..])]);
     assert!(!open.good && open.faults.contains("vault.0.left: not watertight"), "{}", open.faults);
     let inside_out = FACES.map(|[a, b, c]| [a, c, b]);
@@ -94,7 +94,7 @@ fn trimesh_takes_a_closed_board_and_refuses_an_open_or_turned_one() {
     assert!(!turned.good && turned.faults.contains("volume -1"), "{}", turned.faults);
     let more = ["--least", "2"].map(Path::new);
     let few = python_referee("glb_trimesh.py", &[&folder.join("cube.glb"), more[0], more[1]]);
-    assert!(!few.good && few.faults.contains("1 nodes of kind board, not 2"), "{}", few.faults);
+    assert!(!few.good && few.faults.contains("1 solids, not 2"), "{}", few.faults);
 }
 
 /// One step of De Casteljau at `t`: the control points of both halves.

@@ -9,7 +9,7 @@ use crate::output;
 /// Prints the page of a code.
 pub fn explain(explain: &Explain) -> Exit {
     if let Some(code) = Code::parse(explain.code.trim()) {
-        return output::data(code.page()).err().unwrap_or(Exit::Good);
+        return output::data(&format!("{}\n", code.page().trim_end())).err().unwrap_or(Exit::Good);
     }
     output::message(&format!("error: there is no code `{}`\n", explain.code));
     let names = Code::ALL.iter().map(|code| code.name());

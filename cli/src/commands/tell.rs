@@ -44,7 +44,8 @@ pub fn tell(diagnostics: &[Diagnostic], sources: &SourceMap, format: MessageForm
             }
         }
     }
-    if diagnostics.len() > SHOWN_AT_MOST && format != MessageFormat::Json {
+    if diagnostics.len() > SHOWN_AT_MOST {
+        // For programs too: on stderr, so that every line of stdout stays a diagnostic.
         output::message(&format!("… and {} more\n", diagnostics.len() - SHOWN_AT_MOST));
     }
     if !diagnostics.is_empty() && format != MessageFormat::Json {

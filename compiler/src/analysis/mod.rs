@@ -1,6 +1,7 @@
 //! What one revision of a design means: its sources, tree, typed tree, plan, boards and diagnostics. Command line,
 //! language server and preview read this one analysis; there is no second.
 
+mod cascades;
 mod fabrication;
 mod load;
 mod measures;
@@ -13,6 +14,7 @@ pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigur
 pub use load::Library;
 pub use placed::{FigureGeometry, figure_geometry};
 pub use requirements::{LimitValue, RequirementResult};
+pub(crate) use settings::{field, number, text};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
@@ -21,7 +23,6 @@ use crate::hir::{Checked, ModuleSource, check};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
 use crate::syntax::Parse;
-use crate::syntax::ast::ItemKind as ItemKindOf;
 use std::collections::BTreeSet;
 
 /// Everything that is known of a design.
@@ -53,11 +54,17 @@ impl Analysis {
         self.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error)
     }
 
-    /// The name of the design: that of its file without ending.
+    /// The name of the design: that of its file without ending; `stdin` for the standard input, `design` for a file
+    /// whose name is all ending or full stops.
     pub fn design_name(&self) -> String {
         let path = self.sources.get(self.root).map_or("", |source| source.path.as_str());
         let file = path.rsplit('/').next().unwrap_or(path);
-        file.strip_suffix(".ifs").unwrap_or(file).to_owned()
+        match file.strip_suffix(".ifs").unwrap_or(file) {
+            "-" if path == "-" => "stdin".to_owned(),
+            // Such names would make the output folder the one it should lie in.
+            "" | "." | ".." => "design".to_owned(),
+            name => name.to_owned(),
+        }
     }
 }
 
@@ -65,21 +72,22 @@ impl Analysis {
 pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
     let mut loaded = load::load(files, root);
     let mut diagnostics = Diagnostics::default();
-    let unreadable = !loaded.diagnostics.is_empty();
     diagnostics.extend(std::mem::take(&mut loaded.diagnostics));
-    diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    // Of a text that could not be read to its end nothing more is said: it would speak of what is missing.
+    let readable = diagnostics.is_empty();
+    if readable {
+        diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    }
     let Checked { hir, diagnostics: found } = {
         let mut modules = vec![ModuleSource { name: "", file: loaded.root, ast: &loaded.parse.ast }];
         modules.extend(loaded.library.modules().map(|(name, file, ast)| ModuleSource { name, file, ast }));
         check(&modules)
     };
-    // An item that could not be read has lost its name: that others cannot find it is no mistake of theirs.
-    let lost = unreadable || loaded.parse.ast.items.iter().any(|item| item.kind == ItemKindOf::Error);
-    // Nor is an import unused whose use could not be read.
-    let broken = !loaded.parse.diagnostics.is_empty();
-    let follows = |code: Code| (lost && code == Code::E0301) || (broken && code == Code::W0307);
-    diagnostics.extend(found.into_iter().filter(|diagnostic| !follows(diagnostic.code)));
-    if !lost {
+    if readable {
+        let text = loaded.sources.get(loaded.root).map_or("", |source| source.text.as_str());
+        diagnostics.extend(cascades::without(found, text, &loaded.parse));
+    }
+    if !diagnostics.has_errors() {
         diagnostics.extend(unknown_parameters(&hir, overrides));
     }
     let mut analysis = Analysis {

@@ -1,7 +1,7 @@
 //! Figures worked out in space: points of curves, quads of surfaces, and what each element is called.
 
 use crate::fabricate::label::Label;
-use crate::geometry::{Grid, QuadMesh, grid::Closed};
+use crate::geometry::{Grid, LARGEST_COORDINATE, QuadMesh, grid::Closed};
 use crate::plan::address::{Address, FigureAddresses};
 use crate::plan::evaluate::{SheetEvaluator, basis, curve_points};
 use crate::plan::{FigurePlan, Plan, Shape};
@@ -16,14 +16,15 @@ pub enum FigureGeometry {
     Surface(QuadMesh),
 }
 
-/// A figure of a plan in space; `None` where its coordinates are beyond what a mesh holds.
+/// A figure of a plan in space; `None` where its coordinates are beyond what can be built, [`LARGEST_COORDINATE`].
 pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometry> {
     match &figure.shape {
         Shape::Curve { state, points, level, .. } => {
             let basis = basis(plan.automaton(), *state, *level);
             let points: Vec<DVec3> =
                 curve_points(&basis, points).into_iter().map(DVec3::from_array).collect();
-            points.iter().all(|point| point.is_finite()).then_some(FigureGeometry::Curve(points))
+            let near = |point: &DVec3| point.abs().max_element() <= LARGEST_COORDINATE && point.is_finite();
+            points.iter().all(near).then_some(FigureGeometry::Curve(points))
         }
         Shape::Sheet(sheet) => {
             let evaluator = SheetEvaluator::new(plan.automaton(), sheet);

@@ -11,7 +11,7 @@ use crate::source::Span;
 pub(super) type SettingValue = (&'static str, Value, Span);
 
 /// A field of a record by its name.
-pub(super) fn field<'v>(hir: &Hir, record: &'v Value, name: &str) -> Option<&'v Value> {
+pub(crate) fn field<'v>(hir: &Hir, record: &'v Value, name: &str) -> Option<&'v Value> {
     let Value::Record(id, values) = record else { return None };
     let ItemKind::Record(fields) = &hir.item(*id).kind else { return None };
     let index = fields.iter().position(|field| field.name == name)?;
@@ -19,12 +19,12 @@ pub(super) fn field<'v>(hir: &Hir, record: &'v Value, name: &str) -> Option<&'v 
 }
 
 /// A number of a record by the name of its field, in inner units.
-pub(super) fn number(hir: &Hir, record: &Value, name: &str) -> Option<f64> {
+pub(crate) fn number(hir: &Hir, record: &Value, name: &str) -> Option<f64> {
     field(hir, record, name)?.number()
 }
 
 /// A text of a record by the name of its field.
-pub(super) fn text(hir: &Hir, record: &Value, name: &str) -> Option<String> {
+pub(crate) fn text(hir: &Hir, record: &Value, name: &str) -> Option<String> {
     match field(hir, record, name)? {
         Value::Text(text) => Some(text.to_string()),
         _ => None,
@@ -86,8 +86,17 @@ pub(super) fn perturbation(
         Some(_) => Pin::Boundary,
         None => default.pin,
     };
-    let iterations =
-        number("iterations", f64::from(default.iterations)).clamp(0.0, f64::from(u32::MAX)) as u32;
+    // An error names its parameter in backticks; it stands at that one where it was given.
+    let refused = |why: &str| {
+        let named =
+            why.split('`').nth(1).and_then(|name| find(if name == "move_length" { "move" } else { name }));
+        wrong(named.map_or(span, |(_, _, place)| *place), why)
+    };
+    let iterations = number("iterations", f64::from(default.iterations));
+    if iterations < 0.0 {
+        return Err(refused(&format!("`iterations` is a number of steps, 0 or more, but is {iterations}")));
+    }
+    let iterations = iterations.min(f64::from(u32::MAX)) as u32;
     let given = Perturbation {
         worst: number("worst", default.worst),
         average: number("average", default.average),
@@ -98,10 +107,10 @@ pub(super) fn perturbation(
         iterations,
         pin,
     };
-    Perturbation::try_new(given).map_err(|error| wrong(span, &error.to_string()))
+    Perturbation::try_new(given).map_err(|error| refused(&error.to_string()))
 }
 
 fn wrong(span: Span, why: &str) -> Diagnostic {
     let message = format!("planarizing cannot work with these settings: {why}");
-    Diagnostic::new(Code::E0804, span, message).label("these settings")
+    Diagnostic::new(Code::E0804, span, message).label("cannot be used")
 }

@@ -45,6 +45,11 @@ impl RationalFunction {
         &self.denominator
     }
 
+    /// How many terms the form at hand has: what an operation on it costs.
+    pub fn size(&self) -> usize {
+        self.numerator.terms().count() + self.denominator.terms().count()
+    }
+
     /// Whether the function is zero.
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
@@ -125,6 +130,9 @@ impl RationalFunction {
     /// The same function in a shorter form: an exact quotient where there is one, no common monomial, and a
     /// denominator whose first printed coefficient is 1.
     fn shortened(self) -> RationalFunction {
+        if let Some(Ok(factor)) = self.denominator.constant().map(|constant| constant.reciprocal()) {
+            return if factor.is_one() { self } else { self.numerator.scaled(&factor).into() };
+        }
         if let Some(quotient) = self.numerator.divided_exactly(&self.denominator) {
             return quotient.into();
         }

@@ -4,6 +4,7 @@
 pub mod csv;
 pub mod cut_list;
 pub mod glb;
+pub mod nc;
 pub mod number;
 pub mod part;
 pub mod planarity_csv;

@@ -102,6 +102,15 @@ impl Scalar {
         self.to_rational()?.to_i64()
     }
 
+    /// What an operation on it costs, beside that of two doubles: 1, and more for long numbers and functions.
+    pub fn cost(&self) -> u64 {
+        match self {
+            Scalar::Exact(value) | Scalar::Pi(value) => 1 + value.bits() / 64,
+            Scalar::Real(_) => 1,
+            Scalar::Symbolic(function) => function.size() as u64,
+        }
+    }
+
     /// Whether it is known to be zero.
     pub fn is_zero(&self) -> bool {
         match self {

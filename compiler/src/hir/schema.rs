@@ -22,8 +22,6 @@ pub enum ChoiceKind {
     Closed,
     /// How planarizing goes about it.
     PlanarizeMethod,
-    /// Whether a board is engraved.
-    Engraved,
 }
 
 /// One word of a choice.
@@ -53,7 +51,6 @@ impl ChoiceKind {
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[later("u"), later("v"), later("both")];
         const METHOD: &[Word] = &[now("perturbation"), later("projection")];
-        const ENGRAVED: &[Word] = &[now("none")];
         match self {
             ChoiceKind::Side => SIDE,
             ChoiceKind::Grain => GRAIN,
@@ -62,7 +59,6 @@ impl ChoiceKind {
             ChoiceKind::Pin => PIN,
             ChoiceKind::Closed => CLOSED,
             ChoiceKind::PlanarizeMethod => METHOD,
-            ChoiceKind::Engraved => ENGRAVED,
         }
     }
 
@@ -176,7 +172,7 @@ fn planks() -> Vec<Setting> {
 
 fn shop() -> Vec<Setting> {
     vec![
-        library("address", "Engraving", false, "how the alias is engraved; `none` for not at all"),
+        library("address", "Engraving", false, "how the alias is engraved"),
         library("machine", "Machine", false, "the machine that cuts; without it no NC program is written"),
         not_yet("scale", "a model of the building"),
         not_yet("nest", "nesting on sheets"),

@@ -156,10 +156,16 @@ impl<'a> Ends<'a> {
         rows.keys().map(step).collect()
     }
 
-    /// Multiplications of one step of one state, and of comparing its pieces.
+    /// Multiplications of one step of one state, and of comparing its pieces: weights of 0 cost none.
     fn multiplications(&self, id: StateId) -> usize {
-        let entries = |transform: &Transform| transform.matrix.rows() * transform.matrix.columns();
-        2 * self.automaton.state(id).transforms.iter().map(entries).sum::<usize>()
+        let rows = |ends: &BTreeMap<StateId, Vec<Rational>>, target: StateId| {
+            ends[&target].iter().filter(|weight| !weight.is_zero()).count()
+        };
+        let entries = |transform: &Transform| {
+            let rows = rows(&self.first, transform.target) + rows(&self.last, transform.target);
+            rows * transform.matrix.columns()
+        };
+        self.automaton.state(id).transforms.iter().map(entries).sum::<usize>()
     }
 
     /// The join of two neighbouring transforms at level k of their pieces, when it is open.

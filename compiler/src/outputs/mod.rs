@@ -3,6 +3,7 @@
 mod model;
 pub mod names;
 mod parts;
+mod programs;
 mod report;
 
 use crate::analysis::{Analysis, Elements};
@@ -96,8 +97,12 @@ pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
             content: Content::Model(model),
         });
     }
-    if analysis.fabrications.is_empty() && !selection.json {
-        return Outputs { files, diagnostics: Vec::new() };
+    if selection.nc {
+        let (programs, diagnostics) = programs::programs(analysis);
+        if !diagnostics.is_empty() {
+            return Outputs { files: Vec::new(), diagnostics };
+        }
+        files.extend(programs);
     }
     let parts = parts::parts(analysis, selection.nc);
     if selection.csv && !analysis.fabrications.is_empty() {

@@ -113,7 +113,7 @@ fn what_cannot_be_a_board() {
     assert!(matches!(refused, PanelRefusal::TooLarge { .. }));
     assert_eq!(
         refused.to_string(),
-        "it measures 400.0 mm by 2000.0 mm and does not fit a sheet of 2500 mm by 1250 mm"
+        "it measures 400.0mm by 2000.0mm and does not fit a board of 2500mm by 1250mm"
     );
     assert_eq!(make(&single(long), &any).panels.len(), 1, "a free grain may be turned");
 }

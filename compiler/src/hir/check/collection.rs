@@ -2,6 +2,7 @@
 
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::evaluate::MOST_ELEMENTS;
 use crate::hir::tree::{Clause, Expr, ExprKind};
 use crate::hir::types::Type;
 use crate::source::Span;
@@ -15,6 +16,11 @@ impl Checker<'_> {
         span: Span,
         expected: Option<&Type>,
     ) -> Expr {
+        if elements.len() > MOST_ELEMENTS {
+            let message = format!("a list of {} elements; the limit is {MOST_ELEMENTS}", elements.len());
+            self.report(Diagnostic::new(Code::E0704, span, message).label("too long"));
+            return error_expr(span);
+        }
         let wanted = element_of(expected);
         let elements: Vec<Expr> = elements.iter().map(|element| self.expr(frame, element, wanted)).collect();
         let mut ty = Type::Error;

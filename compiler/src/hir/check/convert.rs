@@ -4,7 +4,7 @@ use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
 use crate::hir::tree::{Expr, ExprKind};
-use crate::hir::types::Type;
+use crate::hir::types::{PointSpace, Type};
 use crate::syntax::ast;
 
 enum Fit {
@@ -81,7 +81,15 @@ impl Checker<'_> {
     fn mend(&self, value: &Expr, expected: &Type) -> Option<Box<dyn FnOnce(Diagnostic) -> Diagnostic>> {
         let span = value.span;
         let plain = value.ty.dimension() == Some(Dimension::NUMBER);
+        let control = |ty: &Type| ty.point_space() == Some(PointSpace::Control);
         match expected {
+            Type::Point(_)
+                if control(expected) && value.ty.point_space().is_some() && !control(&value.ty) =>
+            {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("inside of an ifs points are combinations of its control points, such as `lerp(p0, p1, 1/2)`")
+                }))
+            }
             Type::Quantity(dimension) if plain && *dimension != Dimension::NUMBER => {
                 let unit = dimension.display_unit().0;
                 if unit.is_empty() {

@@ -40,7 +40,7 @@ impl Checker<'_> {
             ast::ExprKind::Index(base, indices) => self.index(frame, base, indices, span),
             ast::ExprKind::Unary(operator, inner) => self.unary(frame, *operator, inner, span),
             ast::ExprKind::Binary(operator, at, left, right) => {
-                self.binary(frame, *operator, *at, left, right, span)
+                self.binary(frame, *operator, *at, [left, right], span, expected)
             }
             ast::ExprKind::Range(range) => self.range(frame, range, span),
             ast::ExprKind::If(condition, yes, no) => {

@@ -2,9 +2,9 @@
 
 use super::scope::Symbol;
 use super::{Checker, Frame};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
-use crate::hir::tree::{Expr, ExprKind, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
+use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::schema::{Measure, SchemaKind, SettingType};
+use crate::hir::tree::{Expr, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::{MEASURES, ast};
@@ -61,9 +61,13 @@ impl Checker<'_> {
 
     fn fabricated_figure(&mut self, block: &ast::Fabricate) -> Option<ItemId> {
         let name = &block.figure;
-        let Some(Symbol::Item(id)) = self.symbol(0, &name.text, name.span) else {
-            self.unknown(&Frame::new(0), &name.text, name.span, "figure");
-            return None;
+        let id = match self.symbol(0, &name.text, name.span) {
+            Some(Symbol::Item(id)) => id,
+            Some(Symbol::Lost) => return None,
+            _ => {
+                self.unknown(&Frame::new(0), &name.text, name.span, "figure");
+                return None;
+            }
         };
         if !matches!(self.declared[id.0 as usize].item.kind, ast::ItemKind::Figure(_)) {
             let message = format!("`{}` is not a figure", name.text);
@@ -92,12 +96,29 @@ impl Checker<'_> {
                 |entry| matches!(&entry.kind, ast::EntryKind::Setting(setting, _) if setting.text == name),
             )
         };
-        for setting in kind.settings().iter().filter(|setting| setting.required && !given(setting.name)) {
-            let message = format!("{} need `{}`", kind.name(), setting.name);
-            let diagnostic = Diagnostic::new(Code::E0403, block.kind.span, message)
-                .label(format!("no `{}`", setting.name));
-            self.report(diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc)));
+        let settings = kind.settings();
+        // A misspelt setting is reported as such, not as missing too.
+        let meant = |name: &str| {
+            let known = settings.iter().map(|setting| setting.name);
+            block.entries.iter().any(|entry| match &entry.kind {
+                ast::EntryKind::Setting(setting, _) => closest(&setting.text, known.clone()) == Some(name),
+                _ => false,
+            })
+        };
+        let absent = |name: &str| !given(name) && !meant(name);
+        let missing: Vec<_> =
+            settings.iter().filter(|setting| setting.required && absent(setting.name)).collect();
+        if missing.is_empty() {
+            return;
         }
+        let names: Vec<String> = missing.iter().map(|setting| format!("`{}`", setting.name)).collect();
+        let message = format!("{} need {}", kind.name(), names.join(" and "));
+        let mut diagnostic = Diagnostic::new(Code::E0403, block.kind.span, message)
+            .label(format!("no {}", names.join(", no ")));
+        for setting in missing {
+            diagnostic = diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc));
+        }
+        self.report(diagnostic);
     }
 
     /// One setting of a block; `None` after a report.
@@ -134,10 +155,6 @@ impl Checker<'_> {
     }
 
     fn library_record(&mut self, frame: &mut Frame, record: &str, value: &ast::Expr) -> Expr {
-        if matches!(&value.kind, ast::ExprKind::Name(name) if name == "none") && record == "Engraving" {
-            let kind = ExprKind::Choice(ChoiceKind::Engraved, 0);
-            return Expr { kind, ty: Type::Choice(ChoiceKind::Engraved), span: value.span };
-        }
         let found = self.modules.iter().find_map(|scope| match scope.public.get(record) {
             Some(Symbol::Item(id)) if !scope.name.is_empty() => Some(*id),
             _ => None,

@@ -74,6 +74,8 @@ struct Checker<'a> {
     /// Names of the library used without import, each said once.
     not_imported: BTreeSet<String>,
     diagnostics: Diagnostics,
+    /// Candidates compared with unknown names so far.
+    comparisons: usize,
 }
 
 /// The local names around an expression.

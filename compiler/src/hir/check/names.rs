@@ -8,6 +8,9 @@ use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
 
+/// How many candidates are compared with unknown names, over a whole design.
+const MOST_COMPARISONS: usize = 200_000;
+
 impl Checker<'_> {
     /// What a name that is no local stands for. A name of the library that is not imported serves with a warning.
     pub(super) fn symbol(&mut self, module: usize, name: &str, span: Span) -> Option<Symbol> {
@@ -22,7 +25,11 @@ impl Checker<'_> {
             let symbol = scope.public.get(name).filter(|_| !scope.name.is_empty())?;
             Some((scope.name, *symbol))
         })?;
-        if owner != "prelude" && module == 0 && self.not_imported.insert(name.to_owned()) {
+        if owner != "prelude"
+            && module == 0
+            && !self.modules[module].broken_use
+            && self.not_imported.insert(name.to_owned())
+        {
             let message = format!("`{name}` is used without being imported");
             let diagnostic =
                 Diagnostic::new(Code::W0308, span, message).label(format!("found in `std.{owner}`"));
@@ -73,15 +80,9 @@ impl Checker<'_> {
 
     /// `keyword` is what would declare it: `let`, `fn`, `figure`.
     pub(super) fn unknown(&mut self, frame: &Frame, name: &str, span: Span, keyword: &str) -> Expr {
-        let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
-        let scope = &self.modules[frame.module];
-        known.extend(scope.own.keys().copied());
-        known.extend(scope.imports.keys().copied());
-        known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
         let mut diagnostic =
             Diagnostic::new(Code::E0301, span, format!("there is no `{name}`")).label("not known here");
-        if let Some(candidate) = closest(name, known.iter().copied()) {
-            let candidate = candidate.to_owned();
+        if let Some(candidate) = self.nearest_value(frame, name) {
             // What was meant is not unused.
             if let Some(import) = self.modules[frame.module].imports.get_mut(candidate.as_str()) {
                 import.used = true;
@@ -97,6 +98,21 @@ impl Checker<'_> {
         error_expr(span)
     }
 
+    /// The known value whose name is nearest, as long as looking for it is not too much work: in a design with
+    /// thousands of unknown names the last ones go without.
+    fn nearest_value(&mut self, frame: &Frame, name: &str) -> Option<String> {
+        let scope = &self.modules[frame.module];
+        self.comparisons = self.comparisons.saturating_add(scope.own.len() + frame.locals.len());
+        if self.comparisons > MOST_COMPARISONS {
+            return None;
+        }
+        let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
+        known.extend(scope.own.keys().copied());
+        known.extend(scope.imports.keys().copied());
+        known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
+        closest(name, known).map(str::to_owned)
+    }
+
     fn item_value(&mut self, id: ItemId, span: Span) -> Expr {
         self.ensure_checked(id, span);
         let ty = self.types.get(&id).cloned().unwrap_or(Type::Error);
@@ -110,7 +126,7 @@ impl Checker<'_> {
                 self.report(diagnostic.hint(format!("write `{name}(…)`")));
                 error_expr(span)
             }
-            _ if matches!(self.items[id.0 as usize].kind, ItemKind::Broken) => error_expr(span),
+            _ if self.is_broken(id) => error_expr(span),
             _ => Expr { kind: ExprKind::Global(id), ty, span },
         }
     }

@@ -39,9 +39,9 @@ impl Checker<'_> {
         frame: &mut Frame,
         operator: BinaryOperator,
         at: Span,
-        left: &ast::Expr,
-        right: &ast::Expr,
+        [left, right]: [&ast::Expr; 2],
         span: Span,
+        expected: Option<&Type>,
     ) -> Expr {
         let arithmetic = match operator {
             BinaryOperator::Add => Arithmetic::Add,
@@ -51,6 +51,9 @@ impl Checker<'_> {
             BinaryOperator::By => {
                 let sides = [left, right].map(|side| Box::new(self.expect(frame, side, &Type::LENGTH)));
                 let [length, width] = sides;
+                if length.ty == Type::Error || width.ty == Type::Error {
+                    return error_expr(span);
+                }
                 return Expr { kind: ExprKind::Size(length, width), ty: Type::Size, span };
             }
             BinaryOperator::And | BinaryOperator::Or => {
@@ -66,7 +69,9 @@ impl Checker<'_> {
         };
         let additive = matches!(arithmetic, Arithmetic::Add | Arithmetic::Subtract);
         let (left, right) = if additive {
-            self.additive_sides(frame, left, right)
+            // The difference of two points is a vector: where one is needed, coordinates are the second point.
+            let difference = arithmetic == Arithmetic::Subtract && matches!(expected, Some(Type::Vector(_)));
+            self.additive_sides(frame, left, right, difference)
         } else {
             (self.expr(frame, left, None), self.expr(frame, right, None))
         };
@@ -80,13 +85,20 @@ impl Checker<'_> {
     }
 
     /// Coordinates written right beside `+` or `-` are a vector when the other side is a point or a vector.
-    fn additive_sides(&mut self, frame: &mut Frame, left: &ast::Expr, right: &ast::Expr) -> (Expr, Expr) {
+    fn additive_sides(
+        &mut self,
+        frame: &mut Frame,
+        left: &ast::Expr,
+        right: &ast::Expr,
+        difference: bool,
+    ) -> (Expr, Expr) {
         let literal = |side: &ast::Expr| matches!(side.kind, ast::ExprKind::Tuple(_));
         let vector = Type::Vector(PointSpace::Any);
         match (literal(left), literal(right)) {
             (false, true) => {
                 let left = self.expr(frame, left, None);
-                let wanted = left.ty.point_space().map(|_| &vector);
+                let of_points = difference && matches!(left.ty, Type::Point(_));
+                let wanted = left.ty.point_space().filter(|_| !of_points).map(|_| &vector);
                 let right = self.expr(frame, right, wanted);
                 (left, right)
             }

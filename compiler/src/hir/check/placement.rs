@@ -20,8 +20,14 @@ impl Checker<'_> {
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
                 let points: Vec<Expr> =
-                    points.iter().map(|value| self.expect(frame, value, &point)).collect();
-                self.count_points(&ifs, points.len(), *at);
+                    points.iter().map(|value| self.expr(frame, value, Some(&point))).collect();
+                if let Some(list) = points.iter().find(|value| matches!(value.ty, Type::List(_))) {
+                    return self.list_in_brackets(list, points.len(), span);
+                }
+                let points: Vec<Expr> = points.into_iter().map(|value| self.convert(value, &point)).collect();
+                if points.iter().all(|point| point.ty != Type::Error) {
+                    self.count_points(&ifs, points.len(), *at);
+                }
                 let ty = Type::List(Box::new(point));
                 (Expr { kind: ExprKind::List(points), ty, span: *at }, *at)
             }
@@ -37,6 +43,17 @@ impl Checker<'_> {
             return error_expr(span);
         }
         Expr { kind: ExprKind::On(Box::new(ifs), Box::new(points), at), ty: Type::Figure, span }
+    }
+
+    fn list_in_brackets(&mut self, list: &Expr, count: usize, span: Span) -> Expr {
+        let name = self.described(&list.ty);
+        let message = format!("in brackets after `on` stand points one by one, but this is {name}");
+        let diagnostic = Diagnostic::new(Code::E0401, list.span, message).label("a whole list");
+        self.report(diagnostic.hint(match count {
+            1 => "a list stands after `on` without brackets around it: `on points`",
+            _ => "a grid of points is a list of lists: `on [[p, q], [r, s]]`",
+        }));
+        error_expr(span)
     }
 
     fn count_points(&mut self, ifs: &Expr, given: usize, at: Span) {

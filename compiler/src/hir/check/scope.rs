@@ -34,6 +34,8 @@ pub(super) struct ModuleScope<'a> {
     pub(super) own: BTreeMap<&'a str, ItemId>,
     pub(super) public: BTreeMap<&'a str, Symbol>,
     pub(super) imports: BTreeMap<&'a str, Import>,
+    /// Whether a `use` names nothing, so that any name of the library may have been meant.
+    pub(super) broken_use: bool,
 }
 
 pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
@@ -62,6 +64,7 @@ impl<'a> Checker<'a> {
             fabricates: Vec::new(),
             not_imported: BTreeSet::new(),
             diagnostics: Diagnostics::default(),
+            comparisons: 0,
         };
         for source in sources {
             checker.declare_module(*source);
@@ -81,6 +84,7 @@ impl<'a> Checker<'a> {
             own: BTreeMap::new(),
             public: BTreeMap::new(),
             imports: BTreeMap::new(),
+            broken_use: false,
         };
         if !source.name.is_empty() {
             for native in NATIVES.iter().filter(|native| native.module == source.name) {
@@ -118,6 +122,7 @@ impl<'a> Checker<'a> {
         for item in &ast.items {
             let ast::ItemKind::Use(import) = &item.kind else { continue };
             let Some(from) = self.find_module(&import.module) else {
+                self.modules[module].broken_use |= import.names.is_empty();
                 for name in &import.names {
                     self.lost(module, name);
                 }
@@ -223,8 +228,12 @@ impl<'a> Checker<'a> {
         None
     }
 
-    /// Warns of imports of the design that nothing uses.
+    /// Warns of imports of the design that nothing uses. Where there are errors nothing is said: what uses them may
+    /// stand in what could not be understood.
     pub(super) fn warn_unused_imports(&mut self) {
+        if self.diagnostics.has_errors() {
+            return;
+        }
         let unused: Vec<(String, Span)> = self.modules[0]
             .imports
             .iter()

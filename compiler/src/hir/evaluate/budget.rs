@@ -2,6 +2,7 @@
 
 use super::{Evaluator, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::scalar::Scalar;
 use crate::source::Span;
 
 /// The most steps one evaluation may take.
@@ -18,7 +19,11 @@ pub(super) struct Budget {
     steps: u64,
     depth: u32,
     exhausted: bool,
+    symbolic: Option<u64>,
 }
+
+/// The most work spent on checking one ifs for all values of its parameters, in terms of polynomials.
+const MOST_SYMBOLIC_WORK: u64 = 500_000;
 
 impl Evaluator<'_> {
     /// Counts a step at an expression.
@@ -39,6 +44,33 @@ impl Evaluator<'_> {
             self.report(diagnostic.hint("use fewer elements in lists, or fewer nested lists"));
         }
         Err(Stop::Reported)
+    }
+
+    /// From here on, work is that of a check for all values of parameters, which gives up in silence.
+    pub(super) fn begin_symbolic(&mut self) {
+        self.budget.symbolic = Some(MOST_SYMBOLIC_WORK);
+    }
+
+    /// Back to work that is reported when there is too much of it.
+    pub(super) fn end_symbolic(&mut self) {
+        self.budget.symbolic = None;
+    }
+
+    /// Counts arithmetic on these numbers with a factor of this cost; zeros cost nothing.
+    pub(super) fn work(&mut self, numbers: &[Scalar], factor: u64, span: Span) -> Outcome<()> {
+        let counted = numbers.iter().filter(|number| !number.is_zero());
+        let cost = counted.map(Scalar::cost).sum::<u64>().saturating_mul(factor);
+        match self.budget.symbolic {
+            None => self.spend(cost / 16, span),
+            Some(left) => {
+                self.budget.symbolic = left.checked_sub(cost);
+                if self.budget.symbolic.is_some() {
+                    return Ok(());
+                }
+                self.budget.symbolic = Some(0);
+                Err(Stop::Undetermined)
+            }
+        }
     }
 
     /// Enters a nested expression; pair it with [`Evaluator::leave`].

@@ -43,6 +43,8 @@ impl Evaluator<'_> {
             let diagnostic = Diagnostic::new(Code::E0402, span, message).label("two and three coordinates");
             return Err(self.report(diagnostic.hint("give every point the same number of coordinates")));
         }
+        self.work(left.terms.scalars(), 1, span)?;
+        self.work(right.terms.scalars(), 1, span)?;
         let op = |a: &Scalar, b: &Scalar| match arithmetic {
             Arithmetic::Subtract => a.minus(b),
             _ => a.plus(b),
@@ -66,6 +68,7 @@ impl Evaluator<'_> {
             Terms::Weights(_) => exactly(factor.clone()).map_err(|error| self.scalar_error(error, span))?,
             Terms::Coordinates(_) => factor.clone(),
         };
+        self.work(value.terms.scalars(), factor.cost(), span)?;
         let op = |a: &Scalar| if divide { a.over(&factor) } else { a.times(&factor) };
         let numbers: Result<Vec<Scalar>, ScalarError> = value.terms.scalars().iter().map(op).collect();
         let numbers = numbers.map_err(|error| self.scalar_error(error, span))?;

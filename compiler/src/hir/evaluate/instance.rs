@@ -94,7 +94,9 @@ impl Evaluator<'_> {
         self.atoms.clear();
         let Ok(arguments) = self.symbolic_arguments(ifs) else { return };
         // Whatever it finds is reported; what it cannot know here is found at each instance.
+        self.begin_symbolic();
         let _ = self.parts(&Instance { ifs: id, arguments }, ifs);
+        self.end_symbolic();
     }
 
     fn parts(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Parts> {

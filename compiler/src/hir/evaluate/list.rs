@@ -29,6 +29,22 @@ impl Evaluator<'_> {
         span: Span,
         out: &mut Vec<Value>,
     ) -> Outcome<()> {
+        self.enter(span)?;
+        let outcome = stacker::maybe_grow(128 * 1024, 1024 * 1024, || {
+            self.clauses_here(frame, body, clauses, span, out)
+        });
+        self.leave();
+        outcome
+    }
+
+    fn clauses_here(
+        &mut self,
+        frame: &mut Frame,
+        body: &Expr,
+        clauses: &[Clause],
+        span: Span,
+        out: &mut Vec<Value>,
+    ) -> Outcome<()> {
         let Some((clause, rest)) = clauses.split_first() else {
             out.push(self.expr(frame, body)?);
             return self.length(out.len(), span);

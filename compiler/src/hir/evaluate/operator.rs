@@ -27,6 +27,7 @@ impl Evaluator<'_> {
     ) -> Outcome<Value> {
         match (&left, &right) {
             (Value::Scalar(a), Value::Scalar(b)) => {
+                self.work(std::slice::from_ref(a), b.cost(), span)?;
                 let outcome = match arithmetic {
                     Arithmetic::Add => a.plus(b),
                     Arithmetic::Subtract => a.minus(b),

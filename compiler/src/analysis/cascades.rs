@@ -1,0 +1,108 @@
+//! Which messages of the checker only follow from text that the parser could not understand. They are left out: the
+//! syntax error is what has to be mended, and they are found again after that if they are true.
+//!
+//! What lies in the smallest piece around a syntax error (a member of an ifs, a line of a fabricate block, else the whole
+//! item) is not judged, and a name that occurs in a piece that is no item or member at all may have been declared there.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::source::Span;
+use crate::syntax::Parse;
+use crate::syntax::ast::{EntryKind, Item, ItemKind, MemberKind};
+
+/// The messages that stand without the syntax errors of the design's own file, whose text this is.
+pub(super) fn without(found: Vec<Diagnostic>, text: &str, parse: &Parse) -> Vec<Diagnostic> {
+    let errors = parse.diagnostics.iter().filter(|error| breaks(error));
+    let broken: Vec<Piece> = errors.filter_map(|error| piece_around(parse, text, error.span)).collect();
+    if broken.is_empty() {
+        return found;
+    }
+    let file = parse.diagnostics[0].span.file;
+    let lost: BTreeSet<&str> =
+        broken.iter().filter(|piece| piece.lost).flat_map(|piece| names(text, piece)).collect();
+    // An item whose very name is missing may be the one that others look for.
+    let nameless = broken.iter().any(|piece| piece.lost && declares_nothing(text, piece));
+    let inside =
+        |span: Span| span.file == file && broken.iter().any(|piece| piece.range.contains(&span.start));
+    let names_lost = |diagnostic: &Diagnostic| {
+        matches!(diagnostic.code, Code::E0301 | Code::E0409)
+            && (nameless || text.get(diagnostic.span.range()).is_some_and(|name| lost.contains(name)))
+    };
+    // An import may be used where the text could not be read.
+    let unread: BTreeSet<&str> = broken.iter().flat_map(|piece| names(text, piece)).collect();
+    let maybe_used = |diagnostic: &Diagnostic| {
+        diagnostic.code == Code::W0307
+            && text.get(diagnostic.span.range()).is_some_and(|name| unread.contains(name))
+    };
+    let follows =
+        |diagnostic: &Diagnostic| inside(diagnostic.span) || names_lost(diagnostic) || maybe_used(diagnostic);
+    found.into_iter().filter(|diagnostic| !follows(diagnostic)).collect()
+}
+
+/// Whether an error of the parser leaves something out of the tree.
+fn breaks(error: &Diagnostic) -> bool {
+    error.severity() == Severity::Error && !matches!(error.code, Code::E0204 | Code::E0205)
+}
+
+struct Piece {
+    range: Range<u32>,
+    /// Whether nothing of it is in the tree.
+    lost: bool,
+}
+
+fn piece_around(parse: &Parse, text: &str, at: Span) -> Option<Piece> {
+    let items = &parse.ast.items;
+    let end = u32::try_from(text.len()).unwrap_or(u32::MAX);
+    let starts = items.iter().map(|item| (item.span.start, item.kind == ItemKind::Error));
+    let (place, item) = smallest(starts, end, at)?;
+    match parts(&items[place]) {
+        // Before its first part stands the head of an item: an error there concerns all of it.
+        Some(parts) => Some(smallest(parts.into_iter(), item.range.end, at).map_or(item, |(_, part)| part)),
+        None => Some(item),
+    }
+}
+
+/// The parts of an item that are judged one by one: where each begins, and whether it is lost.
+fn parts(item: &Item) -> Option<Vec<(u32, bool)>> {
+    match &item.kind {
+        ItemKind::Ifs(ifs) => {
+            let members = ifs.members.iter();
+            Some(members.map(|member| (member.span.start, member.kind == MemberKind::Error)).collect())
+        }
+        ItemKind::Fabricate(block) => {
+            let entries = block.entries.iter();
+            Some(entries.map(|entry| (entry.span.start, entry.kind == EntryKind::Error)).collect())
+        }
+        _ => None,
+    }
+}
+
+/// The piece that a place lies in, each reaching to the beginning of the next one.
+fn smallest(pieces: impl Iterator<Item = (u32, bool)>, end: u32, at: Span) -> Option<(usize, Piece)> {
+    let mut found: Option<(usize, Piece)> = None;
+    for (index, (start, lost)) in pieces.enumerate() {
+        if start > at.start {
+            if let Some((_, piece)) = &mut found {
+                piece.range.end = start;
+            }
+            break;
+        }
+        found = Some((index, Piece { range: start..end, lost }));
+    }
+    found
+}
+
+/// The words in a piece of text that may be names.
+fn names<'t>(text: &'t str, piece: &Piece) -> Vec<&'t str> {
+    let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
+    part.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty()).collect()
+}
+
+/// Whether no name follows the keyword of a lost item: `param = 27mm`.
+fn declares_nothing(text: &str, piece: &Piece) -> bool {
+    let part = text.get(piece.range.start as usize..piece.range.end as usize).unwrap_or("");
+    let after = part.trim_start().trim_start_matches(|c: char| c.is_ascii_lowercase()).trim_start();
+    !after.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+}

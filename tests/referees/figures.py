@@ -1,0 +1,283 @@
+"""numpy and shapely as referees of the figures a build reports: `python figures.py DIR`.
+
+Everything is worked out again from model.glb (single precision, so to a few thousandths of a millimetre) and from the
+other files of the folder:
+
+- the curves give the planks' lengths, faces and mitres; the surfaces give edges, areas, diagonals, folds and planarity;
+- the solids have the volumes that the sizes say, and masses in one proportion to them;
+- a board's outline built from its four edges and its diagonal by the law of cosines is a simple polygon of the area and
+  the size that are stated; boards that share an edge state the same length and the same bevel for it;
+- report.json has, digit by digit, the figures of cutlist.csv, and its summaries are those of planarity.csv.
+
+Prints one line of JSON with the counts; exit code 1 with the faults on stderr.
+"""
+
+import csv
+import json
+import os
+import struct
+import sys
+
+import numpy
+from shapely import Polygon
+
+MM, DEGREES, PLANARITY = 3e-3, 2e-3, 1e-6
+faults = []
+
+
+def expect(condition, text):
+    if not condition:
+        faults.append(text)
+
+
+def near(name, stated, found, tolerance):
+    expect(abs(float(stated) - found) <= tolerance, f"{name}: {stated} stated, {found} found")
+
+
+class Model:
+    """A GLB: its nodes by the kind in their extras, with positions in millimetres."""
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            data = file.read()
+        length = struct.unpack_from("<I", data, 12)[0]
+        self.document = json.loads(data[20 : 20 + length])
+        self.binary = data[20 + length + 8 :]
+
+    def of_kind(self, *kinds):
+        for node in self.document["nodes"]:
+            extras = node.get("extras") or {}
+            if extras.get("kind") in kinds:
+                yield extras, self.document["meshes"][node["mesh"]]["primitives"]
+
+    def array(self, index, kind, width):
+        accessor = self.document["accessors"][index]
+        view = self.document["bufferViews"][accessor["bufferView"]]
+        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        count = accessor["count"] * width
+        return numpy.frombuffer(self.binary, dtype=kind, count=count, offset=start).reshape(-1, width)
+
+    def positions(self, primitive):
+        return self.array(primitive["attributes"]["POSITION"], "<f4", 3).astype(float) * 1000.0
+
+    def volume(self, primitive):
+        """Of a closed solid, mm³."""
+        kinds = {5121: "u1", 5123: "<u2", 5125: "<u4"}
+        kind = kinds[self.document["accessors"][primitive["indices"]]["componentType"]]
+        points = self.positions(primitive)
+        corners = points[self.array(primitive["indices"], kind, 1).reshape(-1, 3)] - points[0]
+        return float(numpy.einsum("ij,ij->i", corners[:, 0], numpy.cross(corners[:, 1], corners[:, 2])).sum() / 6)
+
+
+def unit(vectors):
+    return vectors / numpy.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
+def angle(first, second):
+    sine = numpy.linalg.norm(numpy.cross(first, second), axis=-1)
+    return numpy.degrees(numpy.arctan2(sine, (first * second).sum(axis=-1)))
+
+
+def measure(quads):
+    """Edges, area, fold, planarity, diagonal and diagonal ratio of quads, n × 4 × 3."""
+    edges = numpy.roll(quads, -1, axis=1) - quads
+    lengths = numpy.linalg.norm(edges, axis=-1)
+    corner = numpy.cross(numpy.roll(edges, 1, axis=1), edges)
+    normals = unit(corner)
+    folds = numpy.stack([angle(normals[:, 1], normals[:, 3]), angle(normals[:, 0], normals[:, 2])], axis=1)
+    cosines = numpy.stack(
+        [(normals[:, 1] * normals[:, 3]).sum(-1), (normals[:, 0] * normals[:, 2]).sum(-1)], axis=1
+    )
+    halves = numpy.linalg.norm(corner, axis=-1) / 2
+    areas = numpy.stack([halves[:, 1] + halves[:, 3], halves[:, 0] + halves[:, 2]], axis=1)
+    split = folds.argmin(axis=1)
+    rows = numpy.arange(len(quads))
+    across = numpy.stack([quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1]], axis=1)
+    diagonals = numpy.linalg.norm(across, axis=-1)
+    gap = ((quads[:, 1] - quads[:, 0]) * unit(numpy.cross(across[:, 0], across[:, 1]))).sum(-1)
+    return {
+        "edges": lengths,
+        "area": areas[rows, split],
+        "fold": folds[rows, split],
+        "planarity": cosines.min(axis=1),
+        "diagonal": diagonals[rows, split],
+        "ratio": numpy.abs(gap) / diagonals.mean(axis=1),
+        "split": split,
+    }
+
+
+def outline(edges, diagonal, split, grain):
+    """A board's outline from its lengths, with the side the grain runs along on the x axis."""
+    # The triangle over the diagonal that begins at the split's first corner, then the other one on its far side.
+    a, b, c, d = edges if split == 0 else edges[1:] + edges[:1]
+    cosine = lambda p, q, r: (p * p + q * q - r * r) / (2 * p * q)
+    first, second = numpy.arccos(cosine(a, diagonal, b)), numpy.arccos(cosine(d, diagonal, c))
+    turn = lambda length, by: length * numpy.array([numpy.cos(by), numpy.sin(by)])
+    points = [turn(0, 0), turn(a, 0), turn(diagonal, first), turn(d, first + second)]
+    points = points if split == 0 else points[-1:] + points[:-1]
+    start = {"u": 0, "v": 1}.get(grain, int(numpy.argmax(edges)))
+    along = unit(points[(start + 1) % 4] - points[start])
+    return Polygon([(p @ along, along[0] * p[1] - along[1] * p[0]) for p in points])
+
+
+def check_panels(model, parts, rows, planarity):
+    surfaces = {kind: [model.positions(p[0]).reshape(-1, 4, 3) for _, p in model.of_kind(kind)]
+                for kind in ("designed", "planarized")}
+    before, after = (measure(numpy.concatenate(surfaces[kind])) for kind in ("designed", "planarized"))
+    expect(len(planarity) == len(after["area"]) == len(parts), "not one quad, one row and one board each")
+    by_address = {part["address"]: part for part in parts}
+    for index, (part, row, flat) in enumerate(zip(parts, rows, planarity)):
+        name = row["address"]
+        expect(name == flat["address"], f"{name}: {flat['address']} in planarity.csv")
+        edges = [float(row[f"edge_{side}_mm"]) for side in range(4)]
+        for side in range(4):
+            near(f"{name} edge {side}", edges[side], after["edges"][index][side], MM)
+        near(f"{name} area", row["area_m2"], after["area"][index] * 1e-6, 5e-6)
+        near(f"{name} diagonal", row["diagonal_mm"], after["diagonal"][index], MM)
+        near(f"{name} fold", row["fold_deg"], after["fold"][index], DEGREES)
+        near(f"{name} planarity", row["planarity"], after["planarity"][index], PLANARITY)
+        for when, found in (("before", before), ("after", after)):
+            near(f"{name} planarity {when}", flat[f"planarity_{when}"], found["planarity"][index], PLANARITY)
+            near(f"{name} fold {when}", flat[f"fold_{when}_deg"], found["fold"][index], DEGREES)
+            near(f"{name} area {when}", flat[f"area_{when}_m2"], found["area"][index] * 1e-6, 5e-6)
+            near(f"{name} ratio {when}", flat[f"diagonal_ratio_{when}"], found["ratio"][index], 2e-5)
+        polygon = outline(edges, float(row["diagonal_mm"]), after["split"][index], row["grain"])
+        expect(polygon.is_valid and polygon.is_simple, f"{name}: its outline is no simple polygon")
+        near(f"{name} area of the outline", row["area_m2"], polygon.area * 1e-6, 3e-6)
+        left, low, right, high = polygon.bounds
+        near(f"{name} length", row["length_mm"], right - left, 5e-3)
+        near(f"{name} width", row["width_mm"], high - low, 5e-3)
+        check_neighbours(part, by_address)
+
+
+def check_neighbours(part, by_address):
+    for side, other in enumerate(part["neighbours"]):
+        bevel = part["bevels_deg"][side]
+        expect((other is None) == (bevel is None), f"{part['address']} side {side}: a bevel on the border, or none inside")
+        if other is None:
+            continue
+        back = [n for n, address in enumerate(by_address[other]["neighbours"]) if address == part["address"]]
+        expect(len(back) == 1, f"{part['address']} and {other} are neighbours one way only")
+        for key, mine in (("edges_mm", part["edges_mm"][side]), ("bevels_deg", bevel)):
+            theirs = [by_address[other][key][n] for n in back]
+            expect(theirs == [mine], f"{part['address']} and {other}: {key} {mine} and {theirs}")
+
+
+def check_planks(model, rows):
+    place = 0
+    for _, primitives in model.of_kind("curve"):
+        points = model.positions(primitives[0])
+        segments = numpy.diff(points, axis=0)
+        lengths = numpy.linalg.norm(segments, axis=1)
+        mitres = angle(segments[:-1], segments[1:]) / 2
+        planks, place = rows[place : place + len(lengths)], place + len(lengths)
+        for index, row in enumerate(planks):
+            name = row["address"]
+            near(f"{name} length", row["length_mm"], lengths[index], MM)
+            ends = [float(row["mitre_start_deg"]), float(row["mitre_end_deg"])]
+            turned = [mitres[index - 1] if index > 0 else 0.0, mitres[index] if index < len(mitres) else 0.0]
+            for stated, found in zip(ends, turned):
+                near(f"{name} mitre", abs(stated), found, DEGREES)
+            lean = (numpy.tan(numpy.radians(ends[1])) - numpy.tan(numpy.radians(ends[0]))) * float(row["width_mm"]) / 2
+            faces = sorted([float(row["length_mm"]) - lean, float(row["length_mm"]) + lean])
+            near(f"{name} inner face", row["inner_length_mm"], faces[0], MM)
+            near(f"{name} outer face", row["outer_length_mm"], faces[1], MM)
+            near(f"{name} area", row["area_m2"], lengths[index] * float(row["width_mm"]) * 1e-6, 2e-6)
+        for first, second in zip(planks, planks[1:]):
+            joint = float(first["mitre_end_deg"]) + float(second["mitre_start_deg"])
+            expect(joint == 0, f"{first['address']} and {second['address']}: mitres that are not opposite")
+    expect(place == len(rows), f"{place} segments, {len(rows)} planks")
+
+
+def check_solids(model, rows, kind):
+    """The volumes of the solids, and one density for all."""
+    volumes = {extras["address"]: model.volume(primitives[0]) for extras, primitives in model.of_kind(kind)}
+    expect(sorted(volumes) == sorted(row["address"] for row in rows), "solids and rows of other addresses")
+    densities = []
+    for row in rows:
+        # A plank is exact; a board's solid follows its fold, so that its faces differ a little from the flat ones.
+        thickness, exact = float(row["thickness_mm"]), kind == "plank"
+        volume = float(row["area_m2"]) * 1e6 * thickness
+        allowed = volume * (1e-4 if exact else 5e-3)
+        near(f"{row['address']} volume", volume, volumes.get(row["address"], 0.0), allowed)
+        densities.append(float(row["mass_kg"]) / volume * 1e9)
+    spread = (max(densities) - min(densities)) / max(densities)
+    expect(spread < 3e-3, f"densities from {min(densities)} to {max(densities)} kg/m³")
+
+
+def check_report(made, rows, planarity):
+    """Digit by digit: the numbers of the report are read as text."""
+    parts = made["parts"]
+    expect([part["address"] for part in parts] == [row["address"] for row in rows], "parts and rows differ")
+    text = lambda value: "" if value is None else value
+    for part, row in zip(parts, rows):
+        cells = {key: text(part[key]) for key in row if key in part and key != "files"}
+        for key, place in (("edges_mm", "edge_{}_mm"), ("bevels_deg", "bevel_{}_deg")):
+            cells.update({place.format(side): text(value) for side, value in enumerate(part[key] or [None] * 4)})
+        mitres = part["mitres_deg"] or [None] * 2
+        cells.update({"mitre_start_deg": text(mitres[0]), "mitre_end_deg": text(mitres[1])})
+        cells["files"] = "; ".join(part["files"])
+        if row["bend_radius_mm"] == "flat":
+            cells["bend_radius_mm"] = "flat"
+        expect(set(cells) == set(row), f"columns {set(cells) ^ set(row)}")
+        other = {key: (cells.get(key), row[key]) for key in row if cells.get(key) != row[key]}
+        expect(not other, f"{row['address']}: the report and the cut list differ in {other}")
+    counts = made["counts"]
+    expect(counts["made"] == str(len(parts)) and counts["refused"] == "0", f"{counts} and {len(parts)} parts")
+    near("mass", made["material"]["mass_kg"], sum(float(row["mass_kg"]) for row in rows), 5e-4 * len(rows) + 5e-4)
+    for when in ("before", "after") if made["planarity"] else ():
+        check_summary(made["planarity"][when], planarity, when)
+
+
+def check_summary(summary, planarity, when):
+    column = lambda name: [row[name.format(when)] for row in planarity]
+    for key, name, choose in (
+        ("worst_planarity", "planarity_{}", min),
+        ("largest_fold_deg", "fold_{}_deg", max),
+        ("largest_diagonal_ratio", "diagonal_ratio_{}", max),
+    ):
+        stated, values = summary[key], column(name)
+        expect(stated["value"] == choose(values, key=float), f"{key} {when}: {stated} and {choose(values, key=float)}")
+        at = [row["address"] for row, value in zip(planarity, values) if value == stated["value"]]
+        expect(stated["address"] in at, f"{key} {when} is said to be at {stated['address']}, not {at}")
+    near(f"mean planarity {when}", summary["mean_planarity"], numpy.mean([float(x) for x in column("planarity_{}")]), 2e-9)
+    near(f"mean fold {when}", summary["mean_fold_deg"], numpy.mean([float(x) for x in column("fold_{}_deg")]), 1e-4)
+    near(f"area {when}", summary["area_m2"], sum(float(x) for x in column("area_{}_m2")), 1e-6 * len(planarity))
+
+
+def main(root):
+    def table(name):
+        path = os.path.join(root, name)
+        if not os.path.exists(path):
+            return []
+        with open(path, encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file, strict=True))
+
+    with open(os.path.join(root, "report.json"), encoding="utf-8") as file:
+        report = json.load(file, parse_float=str, parse_int=str)
+    model, rows, planarity = Model(os.path.join(root, "model.glb")), table("cutlist.csv"), table("planarity.csv")
+    made_of = {"panels": "panel", "planks": "plank"}
+    kinds = {made["kind"] for made in report["fabrications"]}
+    if len(kinds) != 1:
+        sys.exit(f"fabrications of one kind, please, not {kinds}")
+    kind = kinds.pop()
+    parts = [part for made in report["fabrications"] for part in made["parts"]]
+    if kind == "panels":
+        check_panels(model, parts, rows, planarity)
+    else:
+        check_planks(model, rows)
+    check_solids(model, rows, made_of[kind])
+    for made in report["fabrications"]:
+        addresses = {part["address"] for part in made["parts"]}
+        mine = lambda table: [row for row in table if row["address"] in addresses]
+        check_report(made, mine(rows), mine(planarity))
+    print(json.dumps({"folder": root, "parts": len(parts), "planarity": len(planarity), "faults": len(faults)}))
+    for fault in faults[:20]:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: python figures.py DIR")
+    sys.exit(main(sys.argv[1]))

@@ -1,0 +1,187 @@
+//! Points of curves and surfaces, from a design's text through the compiler to doubles, against scipy and geomdl at
+//! 1e-12 of the control points' size; and the middle point of De Casteljau, exactly.
+#![allow(clippy::disallowed_methods, reason = "the tests write what the referees read")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail anywhere")]
+
+use std::fs;
+
+use ifs_compiler::analysis::{Analysis, FigureGeometry};
+use ifs_compiler::exact::Rational;
+use ifs_compiler::plan::{FigurePlan, Shape, SheetPlan};
+use ifs_tests::designs::{analysis_of, example_text, geometries};
+use ifs_tests::referees::{Verdict, python_referee};
+use ifs_tests::{root, scratch};
+use serde_json::{Value, json};
+
+/// What the referee is told of an ifs: kind, degree, split.
+type Rule = (&'static str, u32, Option<f64>);
+
+fn judge(test: &str, curves: Vec<Value>, surfaces: Vec<Value>) -> Verdict {
+    let path = scratch(test).join("points.json");
+    fs::write(&path, json!({"curves": curves, "surfaces": surfaces}).to_string()).unwrap();
+    let verdict = python_referee("curves.py", &[&path]);
+    println!("{test}: {}", verdict.counts);
+    verdict
+}
+
+/// The evaluated figure of a name.
+fn figure<'a>(analysis: &'a Analysis, name: &str) -> (&'a FigurePlan, FigureGeometry) {
+    let plan = &analysis.plan.as_ref().unwrap().plan;
+    let found =
+        plan.figures().iter().zip(geometries(analysis)).find(|(figure, _)| figure.to_string() == name);
+    let (plan, (_, geometry)) = found.unwrap();
+    (plan, geometry)
+}
+
+fn curve(analysis: &Analysis, name: &str, (kind, degree, split): Rule) -> Value {
+    let (FigurePlan { shape: Shape::Curve { points, level, .. }, .. }, FigureGeometry::Curve(vertices)) =
+        figure(analysis, name)
+    else {
+        panic!("{name} is no curve")
+    };
+    let vertices: Vec<[f64; 3]> = vertices.into_iter().map(|point| point.to_array()).collect();
+    json!({"kind": kind, "degree": degree, "split": split, "level": level, "points": points, "vertices": vertices})
+}
+
+fn surface(analysis: &Analysis, name: &str, rules: [Rule; 2]) -> Value {
+    let (FigurePlan { shape: Shape::Sheet(sheet), .. }, FigureGeometry::Surface(mesh)) =
+        figure(analysis, name)
+    else {
+        panic!("{name} is no surface")
+    };
+    let SheetPlan { net, net_columns, levels, .. } = sheet;
+    // The vertices lie row by row, v along a row.
+    let degree = rules[1].1 as usize;
+    let windows = if rules[1].0 == "bezier" { 1 } else { net_columns - degree };
+    let columns = (windows << levels.1) + 1;
+    let vertices: Vec<[f64; 3]> = mesh.vertices.iter().map(|point| point.to_array()).collect();
+    json!({
+        "kind": rules.map(|rule| rule.0), "degree": rules.map(|rule| rule.1), "split": rules.map(|rule| rule.2),
+        "levels": [levels.0, levels.1],
+        "net": net.chunks(*net_columns).collect::<Vec<_>>(),
+        "vertices": vertices.chunks(columns).collect::<Vec<_>>(),
+    })
+}
+
+const BEZIER3: Rule = ("bezier", 3, None);
+const BEZIER2: Rule = ("bezier", 2, None);
+const BSPLINE3: Rule = ("bspline", 3, None);
+const BSPLINE2: Rule = ("bspline", 2, None);
+
+#[test]
+fn the_examples_agree_with_scipy_and_geomdl() {
+    let vault = analysis_of(&example_text("vault"));
+    let splits = [0.46, 0.48, 0.50, 0.52, 0.54];
+    let arches = splits.iter().enumerate();
+    let arches =
+        arches.map(|(i, t)| curve(&vault, &format!("vault[{i}]"), ("bezier", 3, Some(*t)))).collect();
+    let shell = analysis_of(&example_text("shell"));
+    let verdict = judge("curves-examples", arches, vec![surface(&shell, "shell", [BSPLINE3, BSPLINE3])]);
+    assert!(verdict.good, "{}", verdict.faults);
+    assert_eq!(
+        (&verdict.counts["compared"], &verdict.counts["vertices"]),
+        (&json!(6), &json!(5 * 17 + 17 * 17))
+    );
+}
+
+/// Every ifs of `std.curves`, alone and in products, at several splits and levels.
+const DESIGN: &str = "
+use std.curves (bezier2, bezier3, bspline2, bspline3)
+use std.surfaces (tensor, sheet)
+
+let net = [[ (i * 0.7m, j * 1.1m + i * 0.1m, 0.8m * sin(35deg * i) * cos(25deg * j)) for j in 0..7 ] for i in 0..6]
+
+figure half    = bezier3 on ((0m, 0m), (0.5m, 2m), (3.5m, 2m), (4m, 0m)) at level 7
+figure third   = bezier3(t: 1/3) on ((0m, 0m, 1m), (0.5m, 2m, 0m), (3.5m, 2m, -1m), (4m, 0m, 3m)) at level 6
+figure early   = bezier3(t: 0.05) on ((0m, 0m), (0.5m, 2m), (3.5m, 2m), (4m, 0m)) at level 5
+figure late    = bezier3(t: 0.93) on ((0m, 0m), (0.5m, 2m), (3.5m, 2m), (4m, 0m)) at level 5
+figure parabola = bezier2(t: 0.4) on ((0m, 0m), (1m, 3m), (4m, 0m)) at level 6
+figure chaikin = bspline2 on ((0m, 0m), (1m, 3m), (4m, 0m)) at level 6
+figure cubic   = bspline3 on ((0m, 0m, 0m), (1m, 3m, 1m), (4m, 0m, 2m), (5m, 5m, 0m)) at level 6
+figure least   = bezier3(t: 0.46) on ((0m, 0m), (0.5m, 2m), (3.5m, 2m), (4m, 0m)) at level 0
+
+figure patch   = tensor(bezier3, bezier3) on net[0..4, 0..4] at level (4, 3)
+figure leaning = tensor(bezier3(t: 0.46), bezier2(t: 0.7)) on net[0..4, 2..5] at level (3, 4)
+figure mixed   = tensor(bspline3, bezier2) on net[1..5, 0..3] at level (2, 3)
+figure cloth   = sheet(bspline3, bspline3, net) at level (3, 2)
+figure smooth  = sheet(bspline2, bspline2, net) at level 3
+figure woven   = sheet(bspline3, bspline2, net) at level (1, 3)
+";
+
+#[test]
+fn every_curve_of_the_library_agrees_at_every_split_and_level() {
+    let design = analysis_of(DESIGN);
+    let bezier = |degree, split| ("bezier", degree, Some(split));
+    let curves = [
+        ("half", BEZIER3),
+        ("third", bezier(3, 1.0 / 3.0)),
+        ("early", bezier(3, 0.05)),
+        ("late", bezier(3, 0.93)),
+        ("parabola", bezier(2, 0.4)),
+        ("chaikin", BSPLINE2),
+        ("cubic", BSPLINE3),
+        ("least", bezier(3, 0.46)),
+    ];
+    let surfaces = [
+        ("patch", [BEZIER3, BEZIER3]),
+        ("leaning", [bezier(3, 0.46), bezier(2, 0.7)]),
+        ("mixed", [BSPLINE3, BEZIER2]),
+        ("cloth", [BSPLINE3, BSPLINE3]),
+        ("smooth", [BSPLINE2, BSPLINE2]),
+        ("woven", [BSPLINE3, BSPLINE2]),
+    ];
+    let count = design.plan.as_ref().unwrap().plan.figures().len();
+    assert_eq!(curves.len() + surfaces.len(), count, "each figure is compared");
+    let verdict = judge(
+        "curves-library",
+        curves.map(|(name, rule)| curve(&design, name, rule)).into(),
+        surfaces.map(|(name, rules)| surface(&design, name, rules)).into(),
+    );
+    assert!(verdict.good, "{}", verdict.faults);
+    // The referee allows 1e-12 of the largest coordinate; these curves of metres stay within 1e-12 of one metre.
+    for who in ["scipy", "geomdl"] {
+        assert!(verdict.counts["worst"][who].as_f64().unwrap() <= 1e-9, "{}", verdict.counts);
+    }
+}
+
+/// The paper's program: the first one of the README, as it stands there.
+fn paper_program() -> String {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    readme.split("```ifs\n").nth(1).unwrap().split("```").next().unwrap().to_owned()
+}
+
+/// The weights of the last point of the first transform and of the first point of the second.
+fn middle(text: &str) -> [Vec<Rational>; 2] {
+    let analysis = analysis_of(text);
+    let states = analysis.plan.as_ref().unwrap().plan.automaton().states();
+    let [left, right] = states[0].transforms.as_slice() else { panic!("two transforms") };
+    assert_eq!((left.name.as_str(), right.name.as_str()), ("left", "right"));
+    [left.matrix.row(3).to_vec(), right.matrix.row(0).to_vec()]
+}
+
+fn eighths(weights: [i64; 4]) -> Vec<Rational> {
+    let eighth = |n: i64| Rational::new(n, 8).unwrap();
+    weights.map(eighth).to_vec()
+}
+
+const LIBRARY: &str = "use std.curves (bezier3)
+figure curve = bezier3 on ((0m, 0m), (0.5m, 2m), (3.5m, 2m), (4m, 0m)) at level 4
+";
+
+#[test]
+fn de_casteljaus_middle_point_is_exact_in_the_library_and_in_the_papers_program() {
+    for (whose, text) in [("the library's", LIBRARY.to_owned()), ("the paper's", paper_program())] {
+        assert_eq!(middle(&text), [eighths([1, 3, 3, 1]), eighths([1, 3, 3, 1])], "{whose}");
+        let verdict = judge("curves-middle", vec![curve(&analysis_of(&text), "curve", BEZIER3)], Vec::new());
+        assert!(verdict.good, "{whose}: {}", verdict.faults);
+    }
+}
+
+/// The formula as it is printed, `P3' = (P2' + P1') / 2`, is not De Casteljau's: what pins the right one sees it.
+#[test]
+fn the_slip_of_the_printed_paper_is_another_curve() {
+    let printed = paper_program().replace("let m = lerp(b, c, t)", "let m = lerp(a, b, t)");
+    assert_eq!(middle(&printed), [eighths([3, 4, 1, 0]), eighths([3, 4, 1, 0])]);
+    let verdict = judge("curves-slip", vec![curve(&analysis_of(&printed), "curve", BEZIER3)], Vec::new());
+    assert!(!verdict.good);
+}
