@@ -3,6 +3,12 @@
 //! whole process against a process that does nothing; `ifs build --emit glb` of a million quads against copying the
 //! file it wrote. Nothing is asserted: machines differ.
 
+#![allow(
+    clippy::expect_used,
+    clippy::disallowed_methods,
+    reason = "a race that cannot be run says why and ends; it reads files, clocks and programs"
+)]
+
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};

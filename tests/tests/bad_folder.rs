@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions, Permissions};
+use std::io::Write;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -99,13 +100,21 @@ fn a_disk_that_takes_no_more() {
     mended(&root, &out);
 }
 
+/// Fills the disk with one file, up to some bytes.
+fn fill(path: &Path, spare: u64) {
+    let mut file = fs::File::create(path).unwrap();
+    while file.write_all(&[0; 4096]).is_ok() {}
+    let length = file.metadata().unwrap().len();
+    file.set_len(length - spare).unwrap();
+}
+
 /// A real full disk, where this process may mount one; elsewhere the limit above has to do, and here is checked that the
 /// limit holds at every size, down to none.
 #[test]
 fn a_full_disk() {
     let root = scratch("folder-full");
     let mut mount = Command::new("mount");
-    mount.args(["-t", "tmpfs", "-o", "size=600k", "ifs-test"]).arg(&root);
+    mount.args(["-t", "tmpfs", "-o", "size=8m", "ifs-test"]).arg(&root);
     if !mount.output().is_ok_and(|done| done.status.success()) {
         let (out, before) = vault_below(&root);
         for blocks in ["0", "1", "100"] {
@@ -118,8 +127,7 @@ fn a_full_disk() {
     }
     let result = std::panic::catch_unwind(|| {
         let (out, before) = vault_below(&root);
-        // 600 KiB hold the vault's outputs and not the shell's beside them.
-        fs::write(root.join("ballast"), vec![0; 200 * 1024]).unwrap();
+        fill(&root.join("ballast"), 64 * 1024);
         let done = shell_into(&mut program(), &out);
         done.failed(3, &["error: could not write", "No space left", "the earlier outputs are untouched"]);
         assert_same(&before, &contents(&out), "a full disk");

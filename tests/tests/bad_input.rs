@@ -105,9 +105,7 @@ fn more_than_the_limits() {
     place.build_text(" ".repeat(17 << 20)).failed(4, &["E0108", "limit"]);
     let deep = example_text("shell").replace("at level 2 ", "at level 40 ");
     place.build_text(deep).failed(4, &["E0701", "the largest level that fits is 8"]);
-    place
-        .build_text("fn f(n: Int) -> Int = f(n + 1)\nlet a = f(0)\n")
-        .failed(4, &["E0703", "without an end?"]);
+    place.build_text("fn f(n: Int) -> Int = f(n + 1)\nlet a = f(0)\n").failed(4, &["E0703", "needs an end"]);
     place.build_text("let a = [x for x in 0..100000000]\n").failed(4, &["E0704"]);
     place
         .build_text("let a = [[[i + j + k for i in 0..1000] for j in 0..1000] for k in 0..1000]\n")

@@ -39,12 +39,12 @@ fn start(design: &Design, target: &Path) -> Child {
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
 }
 
-/// Waits until a kill: every second one at any time within a build and a half, the others around the one step in which
+/// Waits until a kill: every second one at any time within two builds' time, the others around the one step in which
 /// the new set takes the old one's place. Both are spread evenly, in an order that looks random.
 fn wait_for_the_moment(staging: &Path, kill: u32, whole: Duration) {
     let part = f64::from(kill * 37 % KILLS) / f64::from(KILLS);
     if kill.is_multiple_of(2) {
-        return std::thread::sleep(whole.mul_f64(1.5 * part));
+        return std::thread::sleep(whole.mul_f64(2.0 * part));
     }
     let begun = Instant::now();
     while !staging.join("manifest.json").exists() && begun.elapsed() < whole * 5 {
@@ -103,7 +103,7 @@ fn a_killed_build_leaves_the_old_set_or_the_new_one() {
     println!(
         "{KILLS} kills: {kept} left the old set, {replaced} the new one, {in_the_middle} met a set in the making"
     );
-    assert!(kept >= 10 && replaced >= 3 && in_the_middle >= 10, "the kills met no build where it matters");
+    assert!(kept >= 5 && replaced >= 3 && in_the_middle >= 5, "the kills met no build where it matters");
 
     assert!(start(&designs[1], &target).wait().unwrap().success());
     assert_eq!(contents(&target), designs[1].set);

@@ -2,7 +2,8 @@
 //! syntax error is what has to be mended, and they are found again after that if they are true.
 //!
 //! What lies in the smallest piece around a syntax error (a member of an ifs, a line of a fabricate block, else the whole
-//! item) is not judged, and a name that occurs in a piece that is no item or member at all may have been declared there.
+//! item) is not judged, and a name that occurs in a piece that is no item or member at all may have been declared there;
+//! where such a piece has no name, any unknown one may.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -30,20 +31,21 @@ pub(super) fn without(found: Vec<Diagnostic>, text: &str, parse: &Parse) -> Vec<
         matches!(diagnostic.code, Code::E0301 | Code::E0409)
             && (nameless || text.get(diagnostic.span.range()).is_some_and(|name| lost.contains(name)))
     };
-    // An import may be used where the text could not be read.
-    let unread: BTreeSet<&str> = broken.iter().flat_map(|piece| names(text, piece)).collect();
-    let maybe_used = |diagnostic: &Diagnostic| {
-        diagnostic.code == Code::W0307
-            && text.get(diagnostic.span.range()).is_some_and(|name| unread.contains(name))
+    // What uses an import may stand in what could not be understood.
+    let stands = |diagnostic: &Diagnostic| {
+        diagnostic.code != Code::W0307 && !inside(diagnostic.span) && !names_lost(diagnostic)
     };
-    let follows =
-        |diagnostic: &Diagnostic| inside(diagnostic.span) || names_lost(diagnostic) || maybe_used(diagnostic);
-    found.into_iter().filter(|diagnostic| !follows(diagnostic)).collect()
+    found.into_iter().filter(stands).collect()
 }
 
-/// Whether an error of the parser leaves something out of the tree.
+/// Whether an error of the parser leaves something out of the tree. Wrong characters do not: they are passed over, and
+/// wrong numbers and texts are errors that the checker knows of.
 fn breaks(error: &Diagnostic) -> bool {
-    error.severity() == Severity::Error && !matches!(error.code, Code::E0204 | Code::E0205)
+    let harmless = matches!(
+        error.code,
+        Code::E0102 | Code::E0103 | Code::E0104 | Code::E0105 | Code::E0106 | Code::E0204 | Code::E0205
+    );
+    error.severity() == Severity::Error && !harmless
 }
 
 struct Piece {

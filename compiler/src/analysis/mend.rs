@@ -57,7 +57,7 @@ impl<'a> Remedies<'a> {
     fn numeric_parameters(&self) -> Vec<(String, &'a Param)> {
         let items = self.hir.own_items().filter_map(|(_, item)| match &item.kind {
             ItemKind::Param(param) if param.range.is_some() && param.ty.dimension().is_some() => {
-                Some((item.name.clone(), param))
+                Some((item.name.clone(), param.as_ref()))
             }
             _ => None,
         });

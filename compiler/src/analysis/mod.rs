@@ -85,7 +85,10 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
     };
     if readable {
         let text = loaded.sources.get(loaded.root).map_or("", |source| source.text.as_str());
-        diagnostics.extend(cascades::without(found, text, &loaded.parse));
+        let found = cascades::without(found, text, &loaded.parse);
+        // An import is not unused whose use could not be read.
+        let broken = !loaded.parse.diagnostics.is_empty();
+        diagnostics.extend(found.into_iter().filter(|found| !(broken && found.code == Code::W0307)));
     }
     if !diagnostics.has_errors() {
         diagnostics.extend(unknown_parameters(&hir, overrides));

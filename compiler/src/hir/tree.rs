@@ -56,7 +56,7 @@ pub struct Item {
 #[derive(Clone, Debug)]
 pub enum ItemKind {
     /// A parameter.
-    Param(Param),
+    Param(Box<Param>),
     /// A named value.
     Let(Body),
     /// A figure.

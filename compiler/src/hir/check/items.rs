@@ -148,7 +148,7 @@ impl<'a> Checker<'a> {
         let range = param.range.as_ref().filter(|_| number);
         let range = range.map(|range| (bound(self, &range.from), bound(self, &range.to)));
         let step = param.step.as_ref().filter(|_| number).map(|step| bound(self, step));
-        (ItemKind::Param(Param { ty: ty.clone(), default, range, step }), ty)
+        (ItemKind::Param(Box::new(Param { ty: ty.clone(), default, range, step })), ty)
     }
 
     fn figure(&mut self, module: usize, figure: &ast::Figure) -> (ItemKind, Type) {
