@@ -1,13 +1,15 @@
 //! A fabricate block worked out: the figure's elements as boards or planks, planarized first where that is asked for.
 
+mod refusals;
+
 use super::measures;
 use super::placed::{FigureGeometry, figure_geometry, quad_labels, segment_labels};
 use super::requirements::{LimitValue, RequirementResult, evaluate_limit};
 use super::settings::{self, SettingValue};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
-use crate::fabricate::panel::{Grain, Panel, PanelRefusal, PanelSettings, RefusedPanel, Side, panels};
-use crate::fabricate::plank::{Ends, Plank, PlankError, PlankRefusal, PlankSettings, RefusedPlank, planks};
+use crate::fabricate::panel::{Grain, Panel, PanelSettings, RefusedPanel, Side, panels};
+use crate::fabricate::plank::{Ends, Plank, PlankError, PlankSettings, RefusedPlank, planks};
 use crate::geometry::QuadMesh;
 use crate::hir::evaluate::Evaluator;
 use crate::hir::schema::{Measure, SchemaKind};
@@ -280,35 +282,6 @@ impl Work<'_> {
         Some(())
     }
 
-    fn refused_panels(&mut self, refused: &[RefusedPanel]) {
-        let large = |refusal: &&RefusedPanel| matches!(refusal.reason, PanelRefusal::TooLarge { .. });
-        let too_large: Vec<&RefusedPanel> = refused.iter().filter(large).collect();
-        let others: Vec<&RefusedPanel> = refused.iter().filter(|refusal| !large(refusal)).collect();
-        let board = self.setting("board").map_or(self.block.figure_span, |(_, _, span)| *span);
-        for (group, span, hint) in [
-            (too_large, board, "use a larger board, or a higher level: the elements get smaller"),
-            (others, self.block.figure_span, "move the control points so that the quads there are convex"),
-        ] {
-            let named: Vec<(&Label, String)> =
-                group.iter().map(|refusal| (&refusal.label, refusal.reason.to_string())).collect();
-            self.refused_elements(&named, span, hint);
-        }
-    }
-
-    fn refused_elements(&mut self, refused: &[(&Label, String)], span: crate::source::Span, hint: &str) {
-        let Some((label, reason)) = refused.first() else { return };
-        let message = format!("{} ({}) cannot be made: {reason}", label.alias, label.address);
-        let mut diagnostic = Diagnostic::new(Code::E0805, span, message).label("asked for here");
-        if refused.len() > 1 {
-            let others: Vec<&str> =
-                refused[1..].iter().take(5).map(|(label, _)| label.alias.as_str()).collect();
-            let more = if refused.len() > 6 { ", …" } else { "" };
-            diagnostic =
-                diagnostic.note(format!("and {} more: {}{more}", refused.len() - 1, others.join(", ")));
-        }
-        self.diagnostics.push(diagnostic.hint(hint));
-    }
-
     fn planks(&mut self) -> Option<PlanksMade> {
         let (depth, width) = settings::size(&self.setting("section")?.1)?;
         let number =
@@ -332,25 +305,6 @@ impl Work<'_> {
         }
         self.refused_planks(&made.refused);
         Some(made)
-    }
-
-    fn refused_planks(&mut self, refused: &[RefusedPlank]) {
-        let place = |name: &str| self.setting(name).map_or(self.block.figure_span, |(_, _, span)| *span);
-        let (stock, section, figure) = (place("stock"), place("section"), self.block.figure_span);
-        for (span, hint, is_meant) in [
-            (
-                stock,
-                "use longer stock, or a higher level: the planks get shorter",
-                too_long as fn(&PlankRefusal) -> bool,
-            ),
-            (section, "use a smaller depth, or a lower level: the planks get longer", cuts_cross),
-            (figure, "move the control points apart, or use a lower level", no_length),
-        ] {
-            let group = refused.iter().filter(|refusal| is_meant(&refusal.reason));
-            let named: Vec<(&Label, String)> =
-                group.map(|refusal| (&refusal.label, refusal.reason.to_string())).collect();
-            self.refused_elements(&named, span, hint);
-        }
     }
 
     fn curve(&mut self, place: usize, figure: &FigurePlan, made: &mut PlanksMade) -> Option<()> {
@@ -387,16 +341,4 @@ impl Work<'_> {
         made.figures.push(PlankFigure { figure: place, points, labels });
         Some(())
     }
-}
-
-fn too_long(reason: &PlankRefusal) -> bool {
-    matches!(reason, PlankRefusal::TooLong { .. })
-}
-
-fn cuts_cross(reason: &PlankRefusal) -> bool {
-    matches!(reason, PlankRefusal::CutsCross { .. })
-}
-
-fn no_length(reason: &PlankRefusal) -> bool {
-    matches!(reason, PlankRefusal::NoLength)
 }

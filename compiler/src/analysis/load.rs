@@ -35,8 +35,7 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
     };
     let id = sources.add(root, text);
     let parse_of = |sources: &SourceMap, id: FileId| sources.get(id).map(parse).unwrap_or_default();
-    // What is left of a text that could not be read is not judged.
-    let parsed = if problem.is_some() { Parse::default() } else { parse_of(&sources, id) };
+    let parsed = parse_of(&sources, id);
     let mut library = Library::default();
     for (name, text) in LIBRARY {
         let file = sources.add(format!("std.{name}"), *text);

@@ -237,3 +237,25 @@ fn tool(hir: &Hir, value: &Value) -> Option<Tool> {
         max_step_down: get("step_down")?,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The read-back itself is tested with programs that were tampered with; here is what is said then.
+    #[test]
+    fn a_program_that_its_read_back_refuses() {
+        let refused = |alias: &str| Failure {
+            code: Code::E0902,
+            alias: alias.to_owned(),
+            address: format!("{alias}.left"),
+            why: "line 7 cuts into the board".to_owned(),
+        };
+        let (first, second) = (refused("rail-00"), refused("rail-01"));
+        let found = failed(Code::E0902, &[&first, &second], Span::default()).unwrap();
+        assert_eq!(found.code, Code::E0902);
+        assert_eq!(found.message, "rail-00 (rail-00.left) gets no program: line 7 cuts into the board");
+        assert!(found.notes[0].contains("rail-01"), "{:?}", found.notes);
+        assert!(failed(Code::E0902, &[], Span::default()).is_none());
+    }
+}

@@ -22,6 +22,14 @@ impl Checker<'_> {
             if callee.ty == Type::Error {
                 return error_expr(span);
             }
+            if matches!(callee.ty, Type::Point(_) | Type::List(_)) {
+                let after = callee.span.after();
+                let message = format!("{} is followed by a bracket", self.described(&callee.ty));
+                let diagnostic =
+                    Diagnostic::new(Code::E0408, callee.span, message).label("a comma is missing after this");
+                self.report(diagnostic.fix("put a comma between the two", after, ","));
+                return error_expr(span);
+            }
             let message = format!("{} cannot be called", self.described(&callee.ty));
             return self.not_callable(message, callee.span, None, span);
         };

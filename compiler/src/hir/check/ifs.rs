@@ -131,7 +131,9 @@ impl Checker<'_> {
         };
         let image = Type::Point(PointSpace::Control);
         let points: Vec<Expr> = points.iter().map(|point| self.expect(frame, point, &image)).collect();
-        self.count_images(typed, &target, points.len(), *points_span);
+        if points.iter().all(|point| point.ty != Type::Error) {
+            self.count_images(typed, &target, points.len(), *points_span);
+        }
         typed.transforms.push(Transform {
             name: transform.name.text.clone(),
             name_span: transform.name.span,

@@ -25,7 +25,9 @@ impl Checker<'_> {
                     return self.list_in_brackets(list, points.len(), span);
                 }
                 let points: Vec<Expr> = points.into_iter().map(|value| self.convert(value, &point)).collect();
-                self.count_points(&ifs, points.len(), *at);
+                if points.iter().all(|point| point.ty != Type::Error) {
+                    self.count_points(&ifs, points.len(), *at);
+                }
                 let ty = Type::List(Box::new(point));
                 (Expr { kind: ExprKind::List(points), ty, span: *at }, *at)
             }
