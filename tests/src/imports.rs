@@ -225,7 +225,7 @@ mod tests {
             assert_eq!(found("syntax/parser.rs", text), Vec::<String>::new(), "{text}");
         }
         assert!(found("syntax/tests.rs", "use crate::hir;").is_empty());
-        assert!(found("analysis.rs", "use crate::{hir, export};").is_empty());
+        assert!(found("outputs.rs", "use crate::{hir, export};").is_empty());
         let after = "#[cfg(test)]\nmod tests {\n}\nuse crate::hir;";
         assert_eq!(found("syntax/parser.rs", after), ["syntax imports hir"]);
     }

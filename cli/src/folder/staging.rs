@@ -61,7 +61,7 @@ impl Staging {
     }
 
     /// Writes one file of the set. `relative` is its name in the folder (`boards/shell.0.left.nc`; see
-    /// [`super::safe_file_name`]), `kind` and `address` go into the manifest.
+    /// [`ifs_compiler::outputs::names::safe_file_name`]), `kind` and `address` go into the manifest.
     ///
     /// # Errors
     /// The name is refused or was written before, or the system refuses.
