@@ -16,6 +16,7 @@
 
 mod error;
 mod foreign;
+mod hashed;
 mod lock;
 mod manifest;
 mod names;

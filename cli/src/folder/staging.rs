@@ -5,15 +5,16 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
-
+use super::hashed::HashedFile;
 use super::lock::Lock;
 use super::manifest::{FileRecord, Manifest, Provenance};
 use super::names::{MANIFEST, check_relative, check_source};
 use super::place::Place;
 use super::replace::{self, Exchange};
 use super::{FolderError, foreign};
-use ifs_compiler::outputs::names::hex;
+
+/// Up to so many files are flushed one by one.
+const FLUSHED_ONE_BY_ONE: usize = 16;
 
 /// A set of outputs in the making. Dropped without a commit it leaves no trace.
 #[derive(Debug)]
@@ -22,6 +23,8 @@ pub struct Staging {
     exchange: Exchange,
     files: BTreeMap<String, FileRecord>,
     folders: BTreeSet<PathBuf>,
+    /// Files that are written but perhaps not on the disk yet.
+    unflushed: Vec<PathBuf>,
     /// Freed last: the staging folder is removed under it.
     _lock: Lock,
 }
@@ -51,6 +54,7 @@ impl Staging {
             place,
             exchange,
             files: BTreeMap::new(),
+            unflushed: Vec::new(),
             _lock: lock,
         };
         if let Ok(old) = fs::metadata(&staging.place.target) {
@@ -92,8 +96,9 @@ impl Staging {
         }
         let path = self.place.staging.join(relative);
         self.make_folders(&path)?;
-        let (bytes, sha256) = write_flushed(&path, fill)
-            .map_err(FolderError::io("write", &self.place.target.join(relative)))?;
+        let (_, bytes, sha256) =
+            write_hashed(&path, fill).map_err(FolderError::io("write", &self.place.target.join(relative)))?;
+        self.unflushed.push(path);
         let record = FileRecord {
             path: relative.to_owned(),
             bytes,
@@ -129,10 +134,12 @@ impl Staging {
         let manifest = Manifest::new(provenance, std::mem::take(&mut self.files));
         let before = foreign::Before::read(&self.place.target)?;
         before.link_into(&self.place.staging, &mut self.folders)?;
+        flush_files(&self.place.staging, &self.unflushed)?;
         let path = self.place.staging.join(MANIFEST);
         manifest
             .to_bytes()
-            .and_then(|bytes| write_flushed(&path, |out| out.write_all(&bytes)))
+            .and_then(|bytes| write_hashed(&path, |out| out.write_all(&bytes)))
+            .and_then(|(file, _, _)| file.sync_all())
             .map_err(FolderError::io("write", &self.place.target.join(MANIFEST)))?;
         for folder in self.folders.iter().rev() {
             flush_folder(folder)?;
@@ -158,37 +165,43 @@ impl Drop for Staging {
     }
 }
 
-/// Writes a new file, flushed to the disk; returns its length and hash.
-fn write_flushed(
+/// Writes a new file; returns it with its length and hash.
+fn write_hashed(
     path: &Path,
     fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<(u64, String)> {
+) -> io::Result<(File, u64, String)> {
     let file = OpenOptions::new().write(true).create_new(true).open(path)?;
-    let mut out = BufWriter::with_capacity(1 << 16, Hashing { file, hasher: Sha256::new(), bytes: 0 });
+    let mut out = BufWriter::with_capacity(1 << 16, HashedFile::new(file));
     fill(&mut out)?;
-    let done = out.into_inner().map_err(io::IntoInnerError::into_error)?;
-    done.file.sync_all()?;
-    Ok((done.bytes, hex(&done.hasher.finalize())))
+    out.into_inner().map_err(io::IntoInnerError::into_error)?.finish()
 }
 
-/// Hashes what goes into a file.
-struct Hashing {
-    file: File,
-    hasher: Sha256,
-    bytes: u64,
+/// Flushes written files to the disk: a few one by one, many with all else on their file system, which is quicker.
+fn flush_files(staging: &Path, files: &[PathBuf]) -> Result<(), FolderError> {
+    if files.len() > FLUSHED_ONE_BY_ONE && flush_file_system(staging)? {
+        return Ok(());
+    }
+    for path in files {
+        let flushed = File::open(path).and_then(|file| file.sync_all());
+        flushed.map_err(FolderError::io("flush", path))?;
+    }
+    Ok(())
 }
 
-impl Write for Hashing {
-    fn write(&mut self, buffer: &[u8]) -> io::Result<usize> {
-        let count = self.file.write(buffer)?;
-        self.hasher.update(&buffer[..count]);
-        self.bytes += count as u64;
-        Ok(count)
+/// Flushes the whole file system of the staging folder; `false` where the system cannot.
+#[cfg(target_os = "linux")]
+fn flush_file_system(staging: &Path) -> Result<bool, FolderError> {
+    let open = File::open(staging).map_err(FolderError::io("flush", staging))?;
+    match rustix::fs::syncfs(&open) {
+        Ok(()) => Ok(true),
+        Err(rustix::io::Errno::NOSYS) => Ok(false),
+        Err(error) => Err(FolderError::io("flush", staging)(error.into())),
     }
+}
 
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
-    }
+#[cfg(not(target_os = "linux"))]
+fn flush_file_system(_: &Path) -> Result<bool, FolderError> {
+    Ok(false)
 }
 
 /// Flushes a folder's list of names to the disk.

@@ -32,7 +32,7 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
             evaluator.fill(&mut buffer);
             let points = buffer.into_iter().map(DVec3::from_array).collect();
             let grid = Grid::try_new(evaluator.rows(), evaluator.columns(), points).ok()?;
-            grid.to_mesh(Closed::NONE).ok().map(FigureGeometry::Surface)
+            grid.into_mesh(Closed::NONE).ok().map(FigureGeometry::Surface)
         }
     }
 }

@@ -63,6 +63,14 @@ impl Grid {
     /// # Errors
     /// Fewer than two points in an open direction or three in a closed one, more points than a mesh can number.
     pub fn to_mesh(&self, closed: Closed) -> Result<QuadMesh, MeshError> {
+        self.clone().into_mesh(closed)
+    }
+
+    /// As [`Grid::to_mesh`], with the grid's own points as the vertices: nothing is copied.
+    ///
+    /// # Errors
+    /// As [`Grid::to_mesh`].
+    pub fn into_mesh(self, closed: Closed) -> Result<QuadMesh, MeshError> {
         for (given, closed) in [(self.rows, closed.rows), (self.columns, closed.columns)] {
             let needed = if closed { 3 } else { 2 };
             if given < needed {
@@ -82,7 +90,7 @@ impl Grid {
         }
         MeshError::check_points(&self.points)?;
         // Every edge of a grid lies between at most two of its quads, so the sorting check of edges is not needed.
-        Ok(QuadMesh { vertices: self.points.clone(), quads })
+        Ok(QuadMesh { vertices: self.points, quads })
     }
 }
 

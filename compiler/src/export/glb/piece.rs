@@ -8,7 +8,8 @@ use glam::DVec3;
 use super::Part;
 use super::colour::Scale;
 use super::edges::EdgeList;
-use super::split::split;
+use super::split::{split, splits};
+use crate::geometry::planarity::Diagonal;
 use crate::geometry::{QuadMeasure, QuadMesh};
 
 /// Bytes gathered before the writer is called.
@@ -60,8 +61,8 @@ impl Piece<'_> {
         match self {
             Self::Points(points) => points.iter().try_for_each(|&point| sink.point(point))?,
             Self::Triangles(mesh) => {
-                for quad in 0..mesh.quads.len() {
-                    for triangle in triangles(mesh, quad).into_iter().filter(has_area) {
+                for (corners, diagonal) in mesh.quads.iter().zip(splits(mesh)) {
+                    for triangle in triangles(*corners, diagonal).into_iter().filter(has_area) {
                         sink.indices(triangle)?;
                     }
                 }
@@ -107,9 +108,8 @@ impl Piece<'_> {
 }
 
 /// The two triangles of a quad as vertices.
-fn triangles(mesh: &QuadMesh, quad: usize) -> [[u32; 3]; 2] {
-    let corners = mesh.quads[quad];
-    split(mesh.corners_of(quad)).triangles().map(|three| three.map(|corner| corners[corner]))
+fn triangles(corners: [u32; 4], diagonal: Diagonal) -> [[u32; 3]; 2] {
+    diagonal.triangles().map(|three| three.map(|corner| corners[corner]))
 }
 
 fn has_area(&[a, b, c]: &[u32; 3]) -> bool {
@@ -122,7 +122,10 @@ pub(super) fn triangle_count(mesh: &QuadMesh) -> usize {
     (0..mesh.quads.len())
         .map(|quad| match whole(&mesh.quads[quad]) {
             true => 2,
-            false => triangles(mesh, quad).iter().filter(|three| has_area(three)).count(),
+            false => {
+                let diagonal = split(mesh.corners_of(quad));
+                triangles(mesh.quads[quad], diagonal).iter().filter(|three| has_area(three)).count()
+            }
         })
         .sum()
 }

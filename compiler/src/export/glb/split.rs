@@ -3,6 +3,7 @@
 
 use glam::DVec3;
 
+use crate::geometry::QuadMesh;
 use crate::geometry::planarity::{Diagonal, FOLD_TIE, QuadMeasure};
 
 /// A quad whose corner normals have at least this much of the square of its size is far from any collinear corner.
@@ -38,6 +39,34 @@ pub(super) fn split(corners: [DVec3; 4]) -> Diagonal {
     QuadMeasure::of(corners).split
 }
 
+/// Meshes of fewer quads are measured without further threads.
+const MANY: usize = 50_000;
+
+/// Over how many threads a large mesh is spread. What is found does not depend on it.
+const THREADS: usize = 4;
+
+/// The diagonal of every quad of a mesh, in order.
+pub(super) fn splits(mesh: &QuadMesh) -> Vec<Diagonal> {
+    let quads = mesh.quads.len();
+    let measure =
+        |from: usize, to: usize| (from..to).map(|quad| split(mesh.corners_of(quad))).collect::<Vec<_>>();
+    if quads < MANY {
+        return measure(0, quads);
+    }
+    let share = quads.div_ceil(THREADS);
+    std::thread::scope(|scope| {
+        let measure = &measure;
+        let parts: Vec<_> = (0..quads)
+            .step_by(share)
+            .map(|from| (from, scope.spawn(move || measure(from, (from + share).min(quads)))))
+            .collect();
+        let done = parts.into_iter().flat_map(|(from, part)| {
+            part.join().unwrap_or_else(|_| measure(from, (from + share).min(quads)))
+        });
+        done.collect()
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -55,6 +84,15 @@ mod tests {
             });
             prop_assert_eq!(split(corners), QuadMeasure::of(corners).split);
         }
+    }
+
+    #[test]
+    fn a_large_mesh_is_split_as_each_of_its_quads() {
+        let point = |i: f64, j: f64| DVec3::new(i, j, libm::sin(i * 0.7) * libm::cos(j * 1.3));
+        let mesh = crate::geometry::samples::mesh(260, 240, point);
+        assert!(mesh.quads.len() > MANY);
+        let each: Vec<Diagonal> = (0..mesh.quads.len()).map(|quad| split(mesh.corners_of(quad))).collect();
+        assert_eq!(splits(&mesh), each);
     }
 
     #[test]
