@@ -21,6 +21,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("E0306", "a_file_that_cannot_be_read"),
     ("E0605", "a_parameter_the_design_does_not_have"),
     ("E0606", "a_text_that_is_no_value"),
+    ("E0807", "a_design_without_figures_is_not_built"),
     ("E0901", "a_board_that_the_machine_cannot_cut"),
     ("E0902", "a_program_that_its_read_back_refuses"),
 ];
@@ -130,6 +131,18 @@ fn a_board_that_the_machine_cannot_cut() {
     let place = found.span.range();
     assert_eq!(&text[place], "router3(tool: 6mm, flute: 8mm)");
     assert!(found.message.contains("roof-00-00"), "{}", found.message);
+}
+
+#[test]
+fn a_design_without_figures_is_not_built() {
+    for text in ["", "// nothing yet\n", "let width = 27mm\n"] {
+        let analysis = analysed(text.as_bytes(), &[]);
+        assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
+        let made = outputs(&analysis, Selection::ALL);
+        assert!(made.files.is_empty());
+        let codes: Vec<Code> = made.diagnostics.iter().map(|found| found.code).collect();
+        assert_eq!(codes, [Code::E0807]);
+    }
 }
 
 /// What is wrong in a design, each with its place.

@@ -125,6 +125,7 @@ codes! {
     E0804 Error "a setting that cannot be used",
     E0805 Error "a board that cannot be made",
     E0806 Error "a requirement that does not apply to these elements",
+    E0807 Error "a design without figures is built",
     E0810 Error "`require planarity` fails",
     E0811 Error "`require edge` fails",
     E0812 Error "`require length` fails",

@@ -7,9 +7,10 @@ mod programs;
 mod report;
 
 use crate::analysis::{Analysis, Elements};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Code, Diagnostic};
 use crate::export::planarity_csv::{Surface, planarity_csv};
 use crate::export::{cut_list, glb::GlbError};
+use crate::source::Span;
 use model::OwnedModel;
 use sha2::{Digest, Sha256};
 use std::io;
@@ -88,6 +89,12 @@ pub struct Outputs {
 /// Makes the outputs of a design without errors.
 pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
     let mut files = Vec::new();
+    if analysis.plan.as_ref().is_none_or(|lowered| lowered.plan.figures().is_empty()) {
+        let message = "there is nothing to build: the design has no figures";
+        let diagnostic = Diagnostic::new(Code::E0807, Span::new(analysis.root, 0, 0), message);
+        let diagnostic = diagnostic.hint("declare one: `figure line = … on (…) at level 3`");
+        return Outputs { files, diagnostics: vec![diagnostic] };
+    }
     if selection.glb {
         let model = Box::new(OwnedModel::of(analysis));
         files.push(Output {
