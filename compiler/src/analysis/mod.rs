@@ -147,7 +147,7 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
         let failed: Vec<Diagnostic> = evaluated
             .fabrications
             .iter()
-            .flat_map(|fabrication| requirements::diagnostics(hir, fabrication, &remedies))
+            .flat_map(|fabrication| requirements::diagnostics(fabrication, &remedies))
             .collect();
         diagnostics.extend(failed);
     }

@@ -99,21 +99,22 @@ pub(super) fn evaluate_limit(
                 Comparison::AtMost => Limit::AtMost(value),
                 Comparison::Greater => Limit::Above(value),
                 Comparison::Less => Limit::Below(value),
-                Comparison::Equal | Comparison::NotEqual => Limit::Equal(value),
+                Comparison::Equal => Limit::Equal(value),
+                // The checker lets no such requirement through.
+                Comparison::NotEqual => return None,
             }))
         }
     }
 }
 
 /// A diagnostic for each requirement of a block that fails.
-pub(super) fn diagnostics(hir: &Hir, fabrication: &Fabrication, remedies: &Remedies<'_>) -> Vec<Diagnostic> {
+pub(super) fn diagnostics(fabrication: &Fabrication, remedies: &Remedies<'_>) -> Vec<Diagnostic> {
     let requirements = fabrication.requirements.iter().enumerate();
     let failing = requirements.filter(|(_, requirement)| !requirement.result.holds());
-    failing.map(|(place, requirement)| failure(hir, fabrication, place, requirement, remedies)).collect()
+    failing.map(|(place, requirement)| failure(fabrication, place, requirement, remedies)).collect()
 }
 
 fn failure(
-    _hir: &Hir,
     fabrication: &Fabrication,
     place: usize,
     requirement: &RequirementResult,

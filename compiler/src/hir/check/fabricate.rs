@@ -190,22 +190,30 @@ impl Checker<'_> {
             return None;
         }
         let limit = match &requirement.limit {
+            ast::Limit::Compare(ast::Comparison::NotEqual, value) => {
+                let message = format!("`{}` can be limited, but not kept from one value", words.text);
+                let diagnostic = Diagnostic::new(Code::E0806, words.span.to(value.span), message);
+                self.report(diagnostic.label("`!=` is no limit").hint("use `<=`, `>=`, or `in … .. …`"));
+                return None;
+            }
             ast::Limit::Compare(comparison, value) => {
-                Limit::Compare(*comparison, self.limit_value(frame, measure, value))
+                let least = matches!(comparison, ast::Comparison::AtLeast | ast::Comparison::Greater);
+                Limit::Compare(*comparison, self.limit_value(frame, measure, value, least))
             }
             ast::Limit::Within(range) => {
-                let bounds = [&range.from, &range.to].map(|value| self.limit_value(frame, measure, value));
-                let [from, to] = bounds;
+                let [from, to] =
+                    [&range.from, &range.to].map(|value| self.limit_value(frame, measure, value, false));
                 Limit::Within(from, to)
             }
         };
         Some(Requirement { measure, span, measure_span: words.span, limit })
     }
 
-    fn limit_value(&mut self, frame: &mut Frame, measure: Measure, value: &ast::Expr) -> Expr {
+    /// A number of the measure's dimension; for the least of bend radii also the two of a board.
+    fn limit_value(&mut self, frame: &mut Frame, measure: Measure, value: &ast::Expr, least: bool) -> Expr {
         let expected = Type::Quantity(measure.dimension());
         let checked = self.expr(frame, value, Some(&expected));
-        let radius = measure == Measure::BendRadius && self.is_radius(&checked.ty);
+        let radius = least && measure == Measure::BendRadius && self.is_radius(&checked.ty);
         if radius { checked } else { self.convert(checked, &expected) }
     }
 
