@@ -5,8 +5,10 @@ use super::fabrication::{Elements, Fabrication};
 use super::{Evaluated, evaluate};
 use crate::hir::evaluate::{Evaluator, Overrides, words};
 use crate::hir::scalar::Scalar;
+use crate::hir::schema::Measure;
 use crate::hir::tree::{Hir, ItemKind, Param};
 use crate::hir::types::Type;
+use crate::planarize::Pin;
 use std::collections::BTreeMap;
 
 /// How many variants of a design are tried for one requirement and parameter, each way.
@@ -48,6 +50,7 @@ impl<'a> Remedies<'a> {
             }
         }
         sentences.extend(self.levels(fabrication, place));
+        sentences.extend(flatter(fabrication, place));
         if sentences.is_empty() {
             sentences.push("move the control points, or change the limit".to_owned());
         }
@@ -146,5 +149,20 @@ impl<'a> Remedies<'a> {
         }
         let mut others = evaluated.fabrications.iter().flat_map(|made| &made.requirements);
         Some(others.all(|requirement| requirement.result.holds()))
+    }
+}
+
+/// How quads become flatter: by planarizing at all, or with a border that may move.
+fn flatter(fabrication: &Fabrication, place: usize) -> Option<String> {
+    let Elements::Panels(panels) = &fabrication.elements else { return None };
+    if fabrication.requirements.get(place)?.measure != Measure::Planarity {
+        return None;
+    }
+    match &panels.perturbation {
+        None => Some("add `planarize: {}`: it moves vertices until the quads are flat enough".to_owned()),
+        Some(options) if options.pin == Pin::Boundary => {
+            Some("the border is held in place: `pin: corners` or `pin: none` lets it move".to_owned())
+        }
+        Some(_) => None,
     }
 }
