@@ -16,17 +16,6 @@ pub enum Count {
     Exceeds,
 }
 
-/// The largest level whose elements stay within a limit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LargestLevel {
-    /// Every level fits: the number of elements stops growing.
-    Every,
-    /// This level is the largest that fits.
-    Level(u32),
-    /// Not even the one element of level 0 fits.
-    Not,
-}
-
 /// The number of elements of `state` at `level`, up to `limit`.
 pub fn count(automaton: &Automaton, state: StateId, level: u32, limit: u64) -> Count {
     let mut counter = Counter::new(automaton, state, limit);
@@ -41,22 +30,6 @@ pub fn count(automaton: &Automaton, state: StateId, level: u32, limit: u64) -> C
         Ok(elements) if elements <= limit => Count::Exactly(elements),
         _ => Count::Exceeds,
     }
-}
-
-/// The largest level at which `state` has at most `limit` elements.
-pub fn largest_level(automaton: &Automaton, state: StateId, limit: u64) -> LargestLevel {
-    if limit == 0 {
-        return LargestLevel::Not;
-    }
-    let mut counter = Counter::new(automaton, state, limit);
-    for level in 0..u32::MAX {
-        match counter.step() {
-            Step::Grown => {}
-            Step::Settled => return LargestLevel::Every,
-            Step::Exceeded => return LargestLevel::Level(level),
-        }
-    }
-    LargestLevel::Level(u32::MAX)
 }
 
 enum Step {

@@ -14,7 +14,7 @@ mod words;
 
 pub use automaton::{Automaton, AutomatonError, Germ, MAX_STATES, State, StateId, Transform};
 pub use contraction::{Contraction, Norm, WORD_BUDGET, contraction};
-pub use count::{Count, LargestLevel, count, largest_level};
+pub use count::{Count, count};
 pub use difference::difference_norm;
 pub use joins::{Joins, OpenJoin, joins, windows_join};
 pub use matrix::{Matrix, MatrixError};

@@ -59,11 +59,6 @@ impl SourceMap {
         self.sources.get(id.0 as usize)
     }
 
-    /// The source which goes by `path`.
-    pub fn by_path(&self, path: &str) -> Option<&Source> {
-        self.sources.iter().find(|source| source.path == path)
-    }
-
     /// All sources in order.
     pub fn iter(&self) -> impl Iterator<Item = &Source> {
         self.sources.iter()

@@ -85,10 +85,6 @@ fn counts_are_powers_of_the_adjacency_matrix() {
     assert_eq!(count(&cubic, FIRST, 21, 1 << 20), Count::Exceeds);
     assert_eq!(count(&fern(), FIRST, 12, u64::MAX), Count::Exactly(16_777_216));
     assert_eq!(count(&cubic, FIRST, 1_000_000_000, u64::MAX), Count::Exceeds);
-    assert_eq!(largest_level(&cubic, FIRST, 1 << 20), LargestLevel::Level(20));
-    assert_eq!(largest_level(&cubic, FIRST, (1 << 20) - 1), LargestLevel::Level(19));
-    assert_eq!(largest_level(&cubic, FIRST, 0), LargestLevel::Not);
-    assert_eq!(largest_level(&cubic, FIRST, u64::MAX), LargestLevel::Level(63));
 }
 
 /// `grows` leads to itself and to `stays`, which leads to itself only: level + 1 elements.
@@ -103,9 +99,7 @@ fn slow_growth_is_counted_at_any_level() {
     assert_eq!(count(&both, FIRST, 5000, 10_000), Count::Exactly(5001));
     assert_eq!(count(&both, FIRST, 1_000_000_000, 10_000), Count::Exceeds);
     assert_eq!(count(&both, FIRST, 1_000_000_000, u64::MAX), Count::Exceeds);
-    assert_eq!(largest_level(&both, FIRST, 10_000), LargestLevel::Level(9_999));
     assert_eq!(count(&both, StateId(1), 1_000_000_000, 1), Count::Exactly(1));
-    assert_eq!(largest_level(&both, StateId(1), 1), LargestLevel::Every);
 }
 
 #[test]
