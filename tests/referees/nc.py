@@ -43,7 +43,9 @@ def canonical(rs274, program, folder):
     text = open(program, encoding="ascii").read()
     tools, table = tool_table(text, folder)
     command = [rs274, "-t", table, "-g", os.path.abspath(program)]
-    run = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=60)
+    # rs274 keeps its tools in $HOME/.tool.mmap and truncates it at the start: two at once with one home end in SIGBUS.
+    home = {**os.environ, "HOME": folder}
+    run = subprocess.run(command, cwd=folder, env=home, capture_output=True, text=True, timeout=60)
     if run.returncode != 0:
         return None, tools, f"rs274 ends with {run.returncode}: {' '.join(run.stderr.split())}"
     calls = [(m[1], m[2].split(", ")) for m in map(CALL.match, run.stdout.splitlines()) if m]
