@@ -126,6 +126,8 @@ pub struct Ifs {
     pub transforms: Vec<Transform>,
     /// What it draws.
     pub germ: Option<Expr>,
+    /// What it draws at every level on the way.
+    pub keep: Vec<Expr>,
     /// How many slots a frame has.
     pub slots: u32,
 }

@@ -84,11 +84,34 @@ pub struct Instance {
     pub arguments: Vec<Value>,
 }
 
-/// What an ifs draws at its last level.
+/// What an ifs draws.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Germ {
-    /// A straight line between two combinations of the control points.
-    Segment(Arc<Combination>, Arc<Combination>),
+pub struct Germ {
+    /// How its vertices are drawn.
+    pub shape: GermShape,
+    /// Its vertices: combinations of control points, or points of the plane or of space.
+    pub vertices: Vec<Arc<Combination>>,
+}
+
+/// How the vertices of a germ are drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GermShape {
+    /// One vertex.
+    Point,
+    /// A straight line between two vertices.
+    Segment,
+    /// A closed polygon.
+    Polygon,
+    /// A bar between two vertices.
+    Strut {
+        /// Side of its section, mm.
+        width: Scalar,
+    },
+    /// Faces over the vertices.
+    Mesh {
+        /// Each face as places of vertices.
+        faces: Arc<Vec<Vec<u32>>>,
+    },
 }
 
 /// An ifs on control points, at a level or not yet.

@@ -7,6 +7,7 @@ use std::fmt;
 
 use crate::exact::Rational;
 
+use super::germ::Germ;
 use super::matrix::Matrix;
 
 /// Most states an automaton may have: each set of arguments an ifs is used with is one.
@@ -34,16 +35,54 @@ pub struct Transform {
     pub matrix: Matrix,
 }
 
-/// What is drawn at the last level, in weights on the state's control points.
+/// What the coordinates of a state's points mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum StateSpace {
+    /// Control points, free to lie anywhere.
+    Control,
+    /// The three points of an affine frame of the plane: the origin, and 1 mm from it along each axis.
+    Plane,
+    /// The four points of an affine frame of space, likewise.
+    Space,
+}
+
+/// A boundary operator (GEOMETRY 3): a part of the state's edge, as another state on points of this one.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Germ {
-    /// A straight segment from one weighted point to another.
-    Segment {
-        /// Weights of its start.
-        start: Vec<Rational>,
-        /// Weights of its end.
-        end: Vec<Rational>,
+pub struct Boundary {
+    /// Its name.
+    pub name: String,
+    /// The state that it is.
+    pub target: StateId,
+    /// Rows: control points of the target; columns: control points of the state.
+    pub matrix: Matrix,
+}
+
+/// One side of a stated join.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// `left.end`: a boundary of the piece of a transform, by their places in the state and in the transform's target.
+    Piece {
+        /// Place of the transform.
+        transform: usize,
+        /// Place of the boundary in the transform's target.
+        boundary: usize,
     },
+    /// `start`, `bottom.left`: a boundary of the state itself after one step of its own ifs.
+    Own {
+        /// Place of the boundary in the state.
+        boundary: usize,
+        /// Place of the transform in the boundary's ifs.
+        transform: usize,
+    },
+}
+
+/// `join left.end = right.start`
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StatedJoin {
+    /// As written before the sign.
+    pub left: Side,
+    /// As written after it.
+    pub right: Side,
 }
 
 /// One ifs with one set of arguments.
@@ -55,8 +94,25 @@ pub struct State {
     pub control_points: usize,
     /// Its transforms, in the order of declaration, which for a curve is the order along it.
     pub transforms: Vec<Transform>,
-    /// What is drawn at level 0.
+    /// What is drawn at the last level.
     pub germ: Germ,
+    /// What is drawn at every level on the way (LANGUAGE 2).
+    pub keep: Vec<Germ>,
+    /// What its points mean.
+    pub space: StateSpace,
+    /// Its named boundaries.
+    pub boundaries: Vec<Boundary>,
+    /// The joins that are stated of it.
+    pub stated_joins: Vec<StatedJoin>,
+}
+
+impl State {
+    /// A state on control points without `keep`, boundaries and stated joins.
+    pub fn new(name: String, control_points: usize, transforms: Vec<Transform>, germ: Germ) -> State {
+        let (keep, boundaries, stated_joins) = (Vec::new(), Vec::new(), Vec::new());
+        let space = StateSpace::Control;
+        State { name, control_points, transforms, germ, keep, space, boundaries, stated_joins }
+    }
 }
 
 /// A graph-directed ifs whose sizes, targets and sums of weights are right.
@@ -114,6 +170,25 @@ pub enum AutomatonError {
         /// The sum of its weights.
         sum: Rational,
     },
+    /// A germ that has not the vertices its shape asks for.
+    GermVertices {
+        /// The state.
+        state: String,
+    },
+    /// A boundary to a state that is not there, or whose matrix has a wrong size or rows that do not sum to 1.
+    Boundary {
+        /// The state.
+        state: String,
+        /// The boundary.
+        boundary: String,
+    },
+    /// A stated join of something that is not there.
+    StatedJoin {
+        /// The state.
+        state: String,
+        /// Its place among the stated joins.
+        join: usize,
+    },
     /// A vertex of the germ with a wrong number of weights, or whose weights do not sum to 1.
     GermWeights {
         /// The state.
@@ -155,6 +230,15 @@ impl fmt::Display for AutomatonError {
                     "weights of image point {row} in transform `{transform}` of `{state}` sum to {sum}, not 1"
                 )
             }
+            AutomatonError::GermVertices { state } => {
+                write!(f, "the germ of `{state}` has not the vertices its shape asks for")
+            }
+            AutomatonError::Boundary { state, boundary } => {
+                write!(f, "boundary `{boundary}` of `{state}` does not fit what it is to be")
+            }
+            AutomatonError::StatedJoin { state, join } => {
+                write!(f, "join {join} of `{state}` names what is not there")
+            }
             AutomatonError::GermWeights { state, vertex, expected, found, sum } => write!(
                 f,
                 "vertex {vertex} of the germ of `{state}` has {found} weights of sum {sum}; {expected} of sum 1 are needed"
@@ -164,15 +248,6 @@ impl fmt::Display for AutomatonError {
 }
 
 impl std::error::Error for AutomatonError {}
-
-impl Germ {
-    /// Its vertices in order, each a row of weights.
-    pub fn vertices(&self) -> Vec<&[Rational]> {
-        match self {
-            Germ::Segment { start, end } => vec![start, end],
-        }
-    }
-}
 
 impl Automaton {
     /// An automaton of these states; a [`StateId`] is a place in the list.
@@ -188,6 +263,7 @@ impl Automaton {
             for transform in &state.transforms {
                 check_transform(&states, state, transform)?;
             }
+            check_boundaries(&states, state)?;
         }
         Ok(Automaton { states })
     }
@@ -230,7 +306,12 @@ fn check_state(state: &State) -> Result<(), AutomatonError> {
     if state.transforms.is_empty() {
         return Err(AutomatonError::NoTransforms { state: state.name.clone() });
     }
-    for (vertex, weights) in state.germ.vertices().into_iter().enumerate() {
+    let mut germs = std::iter::once(&state.germ).chain(&state.keep);
+    if germs.any(|germ| !germ.is_complete()) {
+        return Err(AutomatonError::GermVertices { state: state.name.clone() });
+    }
+    let germs = std::iter::once(&state.germ).chain(&state.keep);
+    for (vertex, weights) in germs.flat_map(|germ| germ.vertices.iter().enumerate()) {
         let sum: Rational = weights.iter().sum();
         if weights.len() != state.control_points || !sum.is_one() {
             return Err(AutomatonError::GermWeights {
@@ -261,6 +342,33 @@ fn check_transform(states: &[State], state: &State, transform: &Transform) -> Re
     }
     match transform.matrix.row_not_summing_to_one() {
         Some((row, sum)) => Err(AutomatonError::WeightSum { state: name, transform: letter, row, sum }),
+        None => Ok(()),
+    }
+}
+
+fn check_boundaries(states: &[State], state: &State) -> Result<(), AutomatonError> {
+    for boundary in &state.boundaries {
+        let fits = states.get(boundary.target.index()).is_some_and(|target| {
+            (boundary.matrix.rows(), boundary.matrix.columns())
+                == (target.control_points, state.control_points)
+        });
+        if !fits || boundary.matrix.row_not_summing_to_one().is_some() {
+            let (state, boundary) = (state.name.clone(), boundary.name.clone());
+            return Err(AutomatonError::Boundary { state, boundary });
+        }
+    }
+    let there = |side: &Side| match *side {
+        Side::Piece { transform, boundary } => {
+            let target = state.transforms.get(transform).and_then(|piece| states.get(piece.target.index()));
+            target.is_some_and(|target| boundary < target.boundaries.len())
+        }
+        Side::Own { boundary, transform } => {
+            let target = state.boundaries.get(boundary).and_then(|own| states.get(own.target.index()));
+            target.is_some_and(|target| transform < target.transforms.len())
+        }
+    };
+    match state.stated_joins.iter().position(|join| !there(&join.left) || !there(&join.right)) {
+        Some(join) => Err(AutomatonError::StatedJoin { state: state.name.clone(), join }),
         None => Ok(()),
     }
 }

@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::exact::{MAX_BITS, Rational};
 
-use super::automaton::{Automaton, Germ, State, StateId, Transform};
+use super::automaton::{Automaton, State, StateId, Transform};
 use super::matrix::row_times;
 
 /// Most multiplications of exact numbers spent on one proof, each counted once more for every 64 bits.
@@ -25,6 +25,11 @@ pub enum Joins {
     Joined,
     /// These two do not.
     Open(OpenJoin),
+    /// A state that the figure leads to is not drawn as a segment, so it is no curve at all.
+    NotSegments {
+        /// The first such state.
+        state: StateId,
+    },
     /// They meet at all levels looked at, but the proof needs more than is allowed.
     Unproved {
         /// How many levels were looked at.
@@ -54,7 +59,10 @@ pub struct OpenJoin {
 /// # Panics
 /// When the state is not of this automaton.
 pub fn joins(automaton: &Automaton, state: StateId) -> Joins {
-    let mut ends = Ends::new(automaton, state);
+    let mut ends = match Ends::new(automaton, state) {
+        Ok(ends) => ends,
+        Err(state) => return Joins::NotSegments { state },
+    };
     let pairs: Vec<(StateId, usize, u32)> = automaton
         .reachable(state)
         .into_iter()
@@ -79,7 +87,10 @@ pub fn joins(automaton: &Automaton, state: StateId) -> Joins {
 /// # Panics
 /// When the state is not of this automaton.
 pub fn windows_join(automaton: &Automaton, state: StateId) -> Joins {
-    let mut ends = Ends::new(automaton, state);
+    let mut ends = match Ends::new(automaton, state) {
+        Ok(ends) => ends,
+        Err(state) => return Joins::NotSegments { state },
+    };
     let levels = ends.last_order(state) + ends.first_order(state);
     ends.prove(levels, |ends, k| {
         let mut left_weights = ends.last[&state].clone();
@@ -100,15 +111,15 @@ struct Ends<'a> {
 }
 
 impl<'a> Ends<'a> {
-    /// At level 0: the germs' ends.
-    fn new(automaton: &'a Automaton, state: StateId) -> Ends<'a> {
+    /// At level 0: the germs' ends; the state that has none.
+    fn new(automaton: &'a Automaton, state: StateId) -> Result<Ends<'a>, StateId> {
         let (mut first, mut last) = (BTreeMap::new(), BTreeMap::new());
         for id in automaton.reachable(state) {
-            let Germ::Segment { start, end } = &automaton.state(id).germ;
-            first.insert(id, start.clone());
-            last.insert(id, end.clone());
+            let (start, end) = automaton.state(id).germ.ends().ok_or(id)?;
+            first.insert(id, start.to_vec());
+            last.insert(id, end.to_vec());
         }
-        Ends { automaton, first, last, work_left: WORK_BUDGET }
+        Ok(Ends { automaton, first, last, work_left: WORK_BUDGET })
     }
 
     /// Looks for a parting at the levels below `levels`, and says that there is none at any level.

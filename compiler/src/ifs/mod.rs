@@ -7,15 +7,19 @@ mod automaton;
 mod contraction;
 mod count;
 mod difference;
+mod germ;
 mod joins;
 mod matrix;
 mod spectrum;
 mod words;
 
-pub use automaton::{Automaton, AutomatonError, Germ, MAX_STATES, State, StateId, Transform};
+pub use automaton::{
+    Automaton, AutomatonError, Boundary, MAX_STATES, Side, State, StateId, StateSpace, StatedJoin, Transform,
+};
 pub use contraction::{Contraction, Norm, WORD_BUDGET, contraction};
 pub use count::{Count, count};
 pub use difference::difference_norm;
+pub use germ::{Germ, GermShape};
 pub use joins::{Joins, OpenJoin, joins, windows_join};
 pub use matrix::{Matrix, MatrixError};
 pub use words::Word;

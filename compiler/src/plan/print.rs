@@ -6,7 +6,8 @@ use std::fmt;
 
 use crate::exact::Rational;
 use crate::ifs::{
-    Contraction, Count, Germ, Joins, Matrix, Norm, State, StateId, contraction, count, difference_norm,
+    Contraction, Count, Germ, GermShape, Joins, Matrix, Norm, State, StateId, contraction, count,
+    difference_norm,
 };
 
 use super::figure::{Dimension, FigurePlan, Plan, Shape};
@@ -55,8 +56,22 @@ fn write_state(f: &mut fmt::Formatter<'_>, id: StateId, state: &State) -> fmt::R
         writeln!(f, "  {} -> state {}, factor {factor}", transform.name, transform.target.0)?;
         write_matrix(f, &transform.matrix)?;
     }
-    let Germ::Segment { start, end } = &state.germ;
-    writeln!(f, "  germ segment from {} to {}", row_text(start), row_text(end))
+    write_germ(f, "germ", &state.germ)?;
+    state.keep.iter().try_for_each(|germ| write_germ(f, "keep", germ))
+}
+
+fn write_germ(f: &mut fmt::Formatter<'_>, word: &str, germ: &Germ) -> fmt::Result {
+    if let Some((start, end)) = germ.ends() {
+        return writeln!(f, "  {word} segment from {} to {}", row_text(start), row_text(end));
+    }
+    match &germ.shape {
+        GermShape::Point => writeln!(f, "  {word} point")?,
+        GermShape::Segment => writeln!(f, "  {word} segment")?,
+        GermShape::Polygon => writeln!(f, "  {word} polygon")?,
+        GermShape::Strut { width } => writeln!(f, "  {word} strut of {width} mm")?,
+        GermShape::Mesh { faces } => writeln!(f, "  {word} mesh of {} faces", faces.len())?,
+    }
+    germ.vertices.iter().try_for_each(|row| writeln!(f, "    {}", row_text(row)))
 }
 
 /// Entries right-aligned in columns of one width.
@@ -114,6 +129,9 @@ fn write_proofs(f: &mut fmt::Formatter<'_>, plan: &Plan, id: StateId, level: u32
             row_text(&open.right_weights)
         ),
         Some(Joins::Unproved { levels }) => writeln!(f, "  joins unproved after {levels} levels"),
+        Some(Joins::NotSegments { state }) => {
+            writeln!(f, "  no curve: state {} is not drawn as segments", state.0)
+        }
         None => Ok(()),
     }
 }

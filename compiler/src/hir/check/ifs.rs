@@ -28,6 +28,7 @@ impl Checker<'_> {
             lets: Vec::new(),
             transforms: Vec::new(),
             germ: None,
+            keep: Vec::new(),
             slots: 0,
         };
         if points.is_empty() {
@@ -87,7 +88,10 @@ impl Checker<'_> {
                 }
                 typed.germ = Some(checked);
             }
-            ast::MemberKind::Keep(_) => self.later_member("keep", member.span),
+            ast::MemberKind::Keep(germ) => {
+                let checked = self.expect(frame, germ, &Type::Germ);
+                typed.keep.push(checked);
+            }
             ast::MemberKind::Boundary(..) => self.later_member("boundary", member.span),
             ast::MemberKind::Join(..) => self.later_member("join", member.span),
             ast::MemberKind::Error => {}

@@ -5,9 +5,9 @@ use super::{Evaluator, Frame, Outcome, Stop, words};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::{Hir, Ifs, ItemKind, LocalId};
+use crate::hir::tree::{Expr, Hir, Ifs, ItemKind, LocalId};
 use crate::hir::types::Type;
-use crate::hir::value::{Combination, Germ, IfsValue, Instance, Terms, Value};
+use crate::hir::value::{Combination, GermShape, IfsValue, Instance, Terms, Value};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -21,10 +21,21 @@ pub struct InstanceBody {
     pub control_points: usize,
     /// Its transforms in order.
     pub transforms: Vec<InstanceTransform>,
-    /// The two rows of its segment.
-    pub germ: [Row; 2],
+    /// What it draws at the last level.
+    pub germ: InstanceGerm,
+    /// What it draws at every level.
+    pub keep: Vec<InstanceGerm>,
     /// Where the germ stands.
     pub germ_span: Span,
+}
+
+/// A germ worked out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstanceGerm {
+    /// How its vertices are drawn.
+    pub shape: GermShape,
+    /// One row of weights a vertex.
+    pub vertices: Vec<Row>,
 }
 
 /// A transform worked out.
@@ -45,7 +56,8 @@ pub struct InstanceTransform {
 /// The parts of an ifs while some of its weights may be functions of its parameters.
 struct Parts {
     transforms: Vec<(usize, Instance, Vec<Vec<Scalar>>)>,
-    germ: [Vec<Scalar>; 2],
+    germ: (GermShape, Vec<Vec<Scalar>>),
+    keep: Vec<(GermShape, Vec<Vec<Scalar>>)>,
 }
 
 impl Evaluator<'_> {
@@ -76,11 +88,15 @@ impl Evaluator<'_> {
                 rows: rows?,
             });
         }
-        let [start, end] = parts.germ;
+        let germ = |(shape, vertices): (GermShape, Vec<Vec<Scalar>>)| -> Outcome<InstanceGerm> {
+            let vertices: Outcome<Vec<Row>> = vertices.into_iter().map(exact).collect();
+            Ok(InstanceGerm { shape, vertices: vertices? })
+        };
         Ok(InstanceBody {
             control_points: ifs.control_points.len(),
             transforms,
-            germ: [exact(start)?, exact(end)?],
+            germ: germ(parts.germ)?,
+            keep: parts.keep.into_iter().map(germ).collect::<Outcome<Vec<InstanceGerm>>>()?,
             germ_span: ifs.germ.as_ref().map_or(hir.item(instance.ifs).name_span, |germ| germ.span),
         })
     }
@@ -129,17 +145,24 @@ impl Evaluator<'_> {
             }
         }
         let germ = ifs.germ.as_ref().ok_or(Stop::Reported)?;
-        let germ = match self.expr(&mut frame, germ)? {
-            Value::Germ(germ) => germ,
-            _ => return Err(Stop::Reported),
-        };
-        let Germ::Segment(start, end) = germ.as_ref();
-        let germ = [weights(start)?, weights(end)?];
+        let germ = self.germ(&mut frame, germ)?;
+        let mut keep = Vec::new();
+        for kept in &ifs.keep {
+            keep.push(self.germ(&mut frame, kept)?);
+        }
         match stop {
             Some(stop) => Err(stop),
             None if transforms.is_empty() => Err(Stop::Reported),
-            None => Ok(Parts { transforms, germ }),
+            None => Ok(Parts { transforms, germ, keep }),
         }
+    }
+
+    #[allow(clippy::type_complexity, reason = "a shape and its vertices' weights")]
+    fn germ(&mut self, frame: &mut Frame, germ: &Expr) -> Outcome<(GermShape, Vec<Vec<Scalar>>)> {
+        let Value::Germ(germ) = self.expr(frame, germ)? else { return Err(Stop::Reported) };
+        let vertices: Outcome<Vec<Vec<Scalar>>> =
+            germ.vertices.iter().map(|vertex| weights(vertex)).collect();
+        Ok((germ.shape.clone(), vertices?))
     }
 
     fn instance_frame(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Frame> {

@@ -15,7 +15,7 @@ mod symbolic;
 
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
 pub use expression::{quantity_words, words};
-pub use instance::{InstanceBody, InstanceTransform, instance_name};
+pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};

@@ -9,7 +9,7 @@ use crate::hir::native::Native;
 use crate::hir::scalar::{Scalar, ScalarError};
 use crate::hir::tree::Expr;
 use crate::hir::types::Type;
-use crate::hir::value::{Combination, Germ, IfsValue, Terms, Value};
+use crate::hir::value::{Combination, Germ, GermShape, IfsValue, Terms, Value};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -28,7 +28,8 @@ impl Evaluator<'_> {
                 return self.lerp(a, b, t, span);
             }
             (Native::Segment, [Value::Combination(start), Value::Combination(end)]) => {
-                return Ok(Value::Germ(Arc::new(Germ::Segment(start.clone(), end.clone()))));
+                let vertices = vec![start.clone(), end.clone()];
+                return Ok(Value::Germ(Arc::new(Germ { shape: GermShape::Segment, vertices })));
             }
             (Native::Tensor, [u, v]) => {
                 let factors = (self.factor(u, arguments[0].span)?, self.factor(v, arguments[1].span)?);

@@ -67,7 +67,7 @@ fn wrong_automata_are_refused() {
         error.to_string(),
         "weights of image point 0 in transform `left` of `bezier3(t: 1/2)` sum to 2, not 1"
     );
-    let error = refused(|state| state.germ = Germ::Segment { start: unit(3, 0), end: unit(4, 3) });
+    let error = refused(|state| state.germ = Germ::segment(unit(3, 0), unit(4, 3)));
     assert!(matches!(error, AutomatonError::GermWeights { vertex: 0, expected: 4, found: 3, .. }));
     assert!(matches!(refused(|state| state.transforms.clear()), AutomatonError::NoTransforms { .. }));
     assert!(matches!(refused(|state| state.control_points = 0), AutomatonError::NoControlPoints { .. }));

@@ -24,12 +24,12 @@ pub(crate) fn curve(name: &str, matrices: Vec<Matrix>, start: Vec<Rational>, end
         target: StateId(0),
         matrix,
     };
-    State {
-        name: name.to_owned(),
-        control_points: start.len(),
-        transforms: matrices.into_iter().enumerate().map(named).collect(),
-        germ: Germ::Segment { start, end },
-    }
+    State::new(
+        name.to_owned(),
+        start.len(),
+        matrices.into_iter().enumerate().map(named).collect(),
+        Germ::segment(start, end),
+    )
 }
 
 pub(crate) fn automaton(state: State) -> Automaton {
@@ -139,24 +139,24 @@ pub(crate) fn alternating() -> Automaton {
     let lower = matrix(2, &[&[2, 0, 0, 0], &[-1, 3, 0, 0], &[0, 0, 0, 2]]);
     let transform =
         |name: &str, target, matrix| Transform { name: name.to_owned(), target: StateId(target), matrix };
-    let cubic = State {
-        name: "smooth".to_owned(),
-        control_points: 4,
-        transforms: vec![
+    let cubic = State::new(
+        "smooth".to_owned(),
+        4,
+        vec![
             transform("left", 1, lower.product(&halves[0]).unwrap()),
             transform("right", 0, halves[1].clone()),
         ],
-        germ: Germ::Segment { start: unit(4, 0), end: unit(4, 3) },
-    };
-    let square = State {
-        name: "rough".to_owned(),
-        control_points: 3,
-        transforms: vec![
+        Germ::segment(unit(4, 0), unit(4, 3)),
+    );
+    let square = State::new(
+        "rough".to_owned(),
+        3,
+        vec![
             transform("left", 0, raise.product(&quadratic[0]).unwrap()),
             transform("right", 1, quadratic[1].clone()),
         ],
-        germ: Germ::Segment { start: unit(3, 0), end: unit(3, 2) },
-    };
+        Germ::segment(unit(3, 0), unit(3, 2)),
+    );
     Automaton::try_new(vec![cubic, square]).unwrap()
 }
 

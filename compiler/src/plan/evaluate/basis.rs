@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::ifs::{Automaton, Germ, StateId, Transform};
+use crate::ifs::{Automaton, StateId, Transform};
 
 /// The vertices of a chain as weights on the control points of its state.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,8 +71,7 @@ fn needed_states(automaton: &Automaton, state: StateId, level: u32) -> Vec<BTree
 }
 
 fn germ_rows(automaton: &Automaton, state: StateId, table: &mut Vec<f64>) {
-    let Germ::Segment { start, end } = &automaton.state(state).germ;
-    table.extend(start.iter().chain(end).map(|weight| weight.to_f64()));
+    table.extend(automaton.state(state).germ.vertices.iter().flatten().map(|weight| weight.to_f64()));
 }
 
 fn stack_pieces(automaton: &Automaton, state: StateId, tables: &Tables, table: &mut Vec<f64>) {

@@ -158,6 +158,15 @@ impl Lowering<'_, '_> {
         why: &str,
     ) -> Diagnostic {
         let name = &automaton.state(state).name;
+        if let Joins::NotSegments { state } = verdict {
+            let drawn = &automaton.state(*state).name;
+            let message = format!("`{name}` is no curve: `{drawn}` is not drawn as segments");
+            let diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
+            return match self.germ_span(*state) {
+                Some(germ) => diagnostic.also(germ, "what is drawn of it"),
+                None => diagnostic,
+            };
+        }
         let Joins::Open(open) = verdict else {
             let message = format!("the pieces of `{name}` could not be proved to meet");
             return Diagnostic::new(Code::E0505, at, message)

@@ -2,9 +2,9 @@
 
 use super::Lowering;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::evaluate::{InstanceBody, instance_name};
-use crate::hir::value::Instance;
-use crate::ifs::{Automaton, AutomatonError, Germ, MAX_STATES, Matrix, State, StateId, Transform};
+use crate::hir::evaluate::{InstanceBody, InstanceGerm, instance_name};
+use crate::hir::value::{self, Instance};
+use crate::ifs::{Automaton, AutomatonError, Germ, GermShape, MAX_STATES, Matrix, State, StateId, Transform};
 use crate::source::Span;
 
 /// The states met so far.
@@ -73,13 +73,11 @@ impl Lowering<'_, '_> {
                 let matrix = Matrix::from_rows(transform.rows.clone()).ok()?;
                 Some(Transform { name: transform.name.clone(), target: StateId(target as u32), matrix })
             });
-            let [start, end] = body.germ.clone();
-            states.push(State {
-                name: instance_name(self.hir, instance),
-                control_points: body.control_points,
-                transforms: transforms.collect::<Option<Vec<Transform>>>()?,
-                germ: Germ::Segment { start, end },
-            });
+            let name = instance_name(self.hir, instance);
+            let transforms = transforms.collect::<Option<Vec<Transform>>>()?;
+            let mut state = State::new(name, body.control_points, transforms, germ(&body.germ)?);
+            state.keep = body.keep.iter().map(germ).collect::<Option<Vec<Germ>>>()?;
+            states.push(state);
         }
         if self.states.bodies.len() < self.states.instances.len() {
             return None;
@@ -102,6 +100,9 @@ impl Lowering<'_, '_> {
             AutomatonError::TooManyStates { .. } => return,
             AutomatonError::UnknownTarget { state, .. }
             | AutomatonError::WeightSum { state, .. }
+            | AutomatonError::GermVertices { state }
+            | AutomatonError::Boundary { state, .. }
+            | AutomatonError::StatedJoin { state, .. }
             | AutomatonError::GermWeights { state, .. } => (state, Code::E0501),
         };
         let instance =
@@ -120,4 +121,16 @@ impl Lowering<'_, '_> {
     pub(super) fn germ_span(&self, state: StateId) -> Option<Span> {
         Some(self.states.bodies.get(state.index())?.as_ref()?.germ_span)
     }
+}
+
+/// A germ with exact numbers; `None` where its width is not determined.
+fn germ(germ: &InstanceGerm) -> Option<Germ> {
+    let shape = match &germ.shape {
+        value::GermShape::Point => GermShape::Point,
+        value::GermShape::Segment => GermShape::Segment,
+        value::GermShape::Polygon => GermShape::Polygon,
+        value::GermShape::Strut { width } => GermShape::Strut { width: width.to_rational()? },
+        value::GermShape::Mesh { faces } => GermShape::Mesh { faces: faces.clone() },
+    };
+    Some(Germ { shape, vertices: germ.vertices.clone() })
 }
