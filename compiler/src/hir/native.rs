@@ -1,6 +1,10 @@
 //! The functions that the program itself gives the language: the one table of them. Their evaluation is in
 //! `evaluate/native.rs`, their result types in `check/native.rs`.
 
+mod values;
+
+pub use values::VALUES;
+
 use super::schema::ChoiceKind;
 use super::types::{PointSpace, Type};
 
@@ -24,6 +28,25 @@ pub enum Native {
     Segment,
     Tensor,
     Sheet,
+    Asin,
+    Acos,
+    Atan,
+    Atan2,
+    Exp,
+    Ln,
+    Pow,
+    Ceil,
+    Mod,
+    Concat,
+    Reverse,
+    Transpose,
+    Norm,
+    Distance,
+    Dot,
+    Toward,
+    WithLength,
+    Perpendicular,
+    Text,
 }
 
 /// What a parameter takes.
@@ -35,6 +58,16 @@ pub enum Takes {
     QuantityOrList,
     /// A list of numbers of one dimension.
     Quantities,
+    /// A list of numbers of one dimension, or of points or vectors.
+    Summands,
+    /// A list of lists.
+    Lists,
+    /// A vector.
+    Vector,
+    /// A length.
+    Length,
+    /// A number, a truth or a text.
+    Plain,
     /// A plain number.
     Number,
     /// An angle.
@@ -60,12 +93,15 @@ impl Takes {
         match self {
             Takes::Number => Some(Type::NUMBER),
             Takes::Angle => Some(Type::ANGLE),
+            Takes::Length => Some(Type::LENGTH),
             Takes::Point => Some(Type::Point(PointSpace::Any)),
+            Takes::Vector => Some(Type::Vector(PointSpace::Any)),
             Takes::Points => Some(list(Type::Point(PointSpace::Any))),
             Takes::Ifs => Some(Type::Ifs),
             Takes::Net => Some(list(list(Type::Point(PointSpace::Space)))),
             Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
             Takes::Quantity | Takes::QuantityOrList | Takes::Quantities | Takes::List => None,
+            Takes::Summands | Takes::Lists | Takes::Plain => None,
         }
     }
 }
@@ -115,6 +151,11 @@ const fn native(
 }
 
 /// Every native.
+pub fn natives() -> impl Iterator<Item = &'static NativeDeclaration> {
+    NATIVES.iter().chain(VALUES)
+}
+
+/// The natives that make ifs, germs and figures, and the first ones of all.
 pub const NATIVES: &[NativeDeclaration] = &[
     native(Native::Sin, "prelude", "sin", &[needs("angle", Takes::Angle)], "the sine of an angle"),
     native(Native::Cos, "prelude", "cos", &[needs("angle", Takes::Angle)], "the cosine of an angle"),
@@ -153,8 +194,8 @@ pub const NATIVES: &[NativeDeclaration] = &[
         Native::Sum,
         "prelude",
         "sum",
-        &[needs("list", Takes::Quantities)],
-        "the sum of a list of numbers",
+        &[needs("list", Takes::Summands)],
+        "the sum of a list of numbers, of vectors, or of weighted points",
     ),
     native(Native::Len, "prelude", "len", &[needs("list", Takes::List)], "how many elements a list has"),
     native(
@@ -224,7 +265,7 @@ pub const LATER: &[(&str, &str)] = &[
 impl Native {
     /// Its declaration.
     pub fn declaration(self) -> &'static NativeDeclaration {
-        NATIVES.iter().find(|declaration| declaration.native == self).unwrap_or(&NATIVES[0])
+        natives().find(|declaration| declaration.native == self).unwrap_or(&NATIVES[0])
     }
 }
 
@@ -234,9 +275,9 @@ mod tests {
 
     #[test]
     fn every_native_is_declared_once() {
-        for declaration in NATIVES {
+        for declaration in natives() {
             assert_eq!(declaration.native.declaration().name, declaration.name);
-            assert_eq!(NATIVES.iter().filter(|other| other.name == declaration.name).count(), 1);
+            assert_eq!(natives().filter(|other| other.name == declaration.name).count(), 1);
         }
     }
 }

@@ -253,6 +253,8 @@ pub enum ExprKind {
     Size(Box<Expr>, Box<Expr>),
     /// A field of a record, by its place.
     Field(Box<Expr>, usize),
+    /// A coordinate of a point or vector, by its place.
+    Coordinate(Box<Expr>, usize),
     /// A field of every record of a list.
     EachField(Box<Expr>, usize),
     /// One element of a list.

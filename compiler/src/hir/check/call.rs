@@ -5,7 +5,7 @@ use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::schema::SchemaKind;
 use crate::hir::tree::{Expr, ExprKind, ItemId, SettingValue};
-use crate::hir::types::Type;
+use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
 use crate::syntax::ast;
 
@@ -206,6 +206,9 @@ impl Checker<'_> {
         if base.ty == Type::Error {
             return error_expr(span);
         }
+        if let Some(space) = base.ty.point_space().filter(|space| *space != PointSpace::Control) {
+            return self.coordinate(base, space, name, span);
+        }
         let (record, each) = match &base.ty {
             Type::Record(id) => (Some(*id), false),
             Type::List(element) => match **element {
@@ -245,5 +248,16 @@ impl Checker<'_> {
             return Expr { kind: ExprKind::EachField(base, index), ty: Type::List(Box::new(ty)), span };
         }
         Expr { kind: ExprKind::Field(base, index), ty, span }
+    }
+
+    /// `point.x`
+    fn coordinate(&mut self, base: Expr, space: PointSpace, name: &ast::Name, span: Span) -> Expr {
+        let known: &[&str] = if space == PointSpace::Plane { &["x", "y"] } else { &["x", "y", "z"] };
+        let Some(index) = known.iter().position(|known| *known == name.text) else {
+            let message = format!("{} has no field `{}`", self.described(&base.ty), name.text);
+            self.unknown_word(Code::E0407, name, message, known.iter().copied());
+            return error_expr(span);
+        };
+        Expr { kind: ExprKind::Coordinate(Box::new(base), index), ty: Type::LENGTH, span }
     }
 }

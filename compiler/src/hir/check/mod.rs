@@ -11,6 +11,7 @@ mod ifs;
 mod items;
 mod names;
 mod native;
+mod native_values;
 mod operator;
 mod placement;
 mod scope;

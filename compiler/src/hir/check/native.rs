@@ -48,12 +48,18 @@ impl Checker<'_> {
             Type::List(element) => element.dimension().is_some(),
             _ => false,
         };
+        let list_of_vectors = matches!(&value.ty, Type::List(element) if element.point_space().is_some());
         let fits = value.ty == Type::Error
             || match parameter.takes {
                 Takes::Quantity => value.ty.dimension().is_some(),
                 Takes::QuantityOrList => value.ty.dimension().is_some() || list_of_numbers,
                 Takes::Quantities => list_of_numbers,
+                Takes::Summands => list_of_numbers || list_of_vectors,
                 Takes::List => matches!(value.ty, Type::List(_)),
+                Takes::Lists => {
+                    matches!(&value.ty, Type::List(inner) if matches!(**inner, Type::List(_) | Type::Error))
+                }
+                Takes::Plain => value.ty.dimension().is_some() || matches!(value.ty, Type::Bool | Type::Text),
                 _ => true,
             };
         if !fits {
@@ -61,6 +67,9 @@ impl Checker<'_> {
                 Takes::Quantity => "a number",
                 Takes::QuantityOrList => "a number or a list of numbers",
                 Takes::Quantities => "a list of numbers",
+                Takes::Summands => "a list of numbers, points or vectors",
+                Takes::Lists => "a list of lists",
+                Takes::Plain => "a number, a truth or a text",
                 _ => "a list",
             };
             let is = self.described(&value.ty);
@@ -76,7 +85,10 @@ impl Checker<'_> {
             Native::Sin | Native::Cos | Native::Tan => Type::NUMBER,
             Native::Floor | Native::Round | Native::Len => Type::Int,
             Native::Abs => first.clone(),
-            Native::Sum => element(first)?,
+            Native::Sum => match element(first)? {
+                Type::Point(space) => Type::WeightedSum(space),
+                other => other,
+            },
             Native::Sqrt => return self.root(&values[0]),
             Native::Min | Native::Max => return self.extreme(native, values),
             Native::Lerp => {
@@ -114,6 +126,7 @@ impl Checker<'_> {
             }
             Native::Tensor => Type::Ifs,
             Native::Sheet => Type::Figure,
+            _ => return self.value_type(native, values),
         })
     }
 

@@ -116,6 +116,9 @@ impl Checker<'_> {
         if *left == Type::Error || *right == Type::Error {
             return Some(Type::Error);
         }
+        if (arithmetic, left, right) == (Arithmetic::Add, &Type::Text, &Type::Text) {
+            return Some(Type::Text);
+        }
         match (arithmetic, left.dimension(), right.dimension()) {
             (Arithmetic::Add | Arithmetic::Subtract, Some(a), Some(b)) => {
                 (a == b).then(|| if left == right { left.clone() } else { Type::Quantity(a) })
@@ -155,9 +158,15 @@ impl Checker<'_> {
                 _ => diagnostic
                     .hint("only values of one dimension are added: lengths to lengths, angles to angles"),
             };
+        } else if matches!((&left.ty, &right.ty), (Type::List(_), Type::List(_)))
+            && arithmetic == Arithmetic::Add
+        {
+            diagnostic = diagnostic.hint("one list after the other is `concat([a, b])`");
         } else if list.is_some() {
             diagnostic =
                 diagnostic.hint(format!("for every element of a list: `[x {symbol} … for x in list]`"));
+        } else if left.ty == Type::Text || right.ty == Type::Text {
+            diagnostic = diagnostic.hint("texts are joined by `+`; `text(x)` makes a text of a number");
         } else if matches!(arithmetic, Arithmetic::Multiply | Arithmetic::Divide)
             && (left.ty.point_space().is_some() || right.ty.point_space().is_some())
         {

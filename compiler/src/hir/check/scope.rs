@@ -2,7 +2,7 @@
 
 use super::{Checker, Declared, ModuleSource, State, broken};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, closest};
-use crate::hir::native::{LATER, NATIVES, Native};
+use crate::hir::native::{LATER, Native, natives};
 use crate::hir::tree::ItemId;
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
@@ -87,7 +87,7 @@ impl<'a> Checker<'a> {
             broken_use: false,
         };
         if !source.name.is_empty() {
-            for native in NATIVES.iter().filter(|native| native.module == source.name) {
+            for native in natives().filter(|native| native.module == source.name) {
                 scope.public.insert(native.name, Symbol::Native(native.native));
             }
             for (_, name) in LATER.iter().filter(|(owner, _)| *owner == source.name) {

@@ -25,6 +25,17 @@ impl Evaluator<'_> {
         Ok(Value::Combination(Arc::new(Combination { terms, weight, made: None })))
     }
 
+    /// `point.x`
+    pub(super) fn coordinate(&mut self, frame: &mut Frame, point: &Expr, index: usize) -> Outcome<Value> {
+        let Value::Combination(value) = self.expr(frame, point)? else { return Err(Stop::Reported) };
+        let coordinates = value.terms.scalars();
+        coordinates.get(index).cloned().map(Value::Scalar).ok_or_else(|| {
+            let message = "a point of the plane has no third coordinate";
+            let label = format!("has {} coordinates", coordinates.len());
+            self.report(Diagnostic::new(Code::E0604, point.span, message).label(label))
+        })
+    }
+
     pub(super) fn combine(
         &mut self,
         arithmetic: Arithmetic,

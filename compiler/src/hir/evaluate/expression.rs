@@ -51,6 +51,7 @@ impl Evaluator<'_> {
             }
             ExprKind::Point(parts) => self.coordinates(frame, parts, Scalar::one()),
             ExprKind::Vector(parts) => self.coordinates(frame, parts, Scalar::zero()),
+            ExprKind::Coordinate(point, index) => self.coordinate(frame, point, *index),
             ExprKind::List(elements) => Ok(Value::List(Arc::new(self.all(frame, elements)?))),
             ExprKind::Comprehension(body, clauses) => self.comprehension(frame, body, clauses, span),
             ExprKind::Range(from, to) => self.range(frame, from, to),

@@ -3,8 +3,8 @@
 use super::{Evaluator, Frame, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::{Clause, Expr};
-use crate::hir::value::Value;
+use crate::hir::tree::{Arithmetic, Clause, Expr};
+use crate::hir::value::{Combination, Value};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -122,5 +122,59 @@ impl Evaluator<'_> {
             })
             .collect();
         Ok(Value::List(Arc::new(fields?)))
+    }
+
+    /// `concat([a, b])`
+    pub(super) fn concat(&mut self, lists: &[Value], span: Span) -> Outcome<Value> {
+        let mut elements = Vec::new();
+        for list in lists.iter().filter_map(Value::list) {
+            self.spend(1 + list.len() as u64, span)?;
+            self.length(elements.len() + list.len(), span)?;
+            elements.extend_from_slice(list);
+        }
+        Ok(Value::List(Arc::new(elements)))
+    }
+
+    /// `transpose(grid)`
+    pub(super) fn transpose(&mut self, grid: &[Value], argument: &Expr) -> Outcome<Value> {
+        let rows: Vec<&[Value]> = grid.iter().filter_map(Value::list).collect();
+        let columns = rows.first().map_or(0, |row| row.len());
+        if let Some(other) = rows.iter().find(|row| row.len() != columns) {
+            let message = "the rows of a grid have the same length";
+            let label = format!("rows of {columns} and of {}", other.len());
+            return Err(self.report(Diagnostic::new(Code::E0604, argument.span, message).label(label)));
+        }
+        self.spend(1 + (rows.len() * columns) as u64, argument.span)?;
+        let column =
+            |index: usize| Value::List(Arc::new(rows.iter().map(|row| row[index].clone()).collect()));
+        Ok(Value::List(Arc::new((0..columns).map(column).collect())))
+    }
+
+    /// The sum of points and vectors, in their order.
+    pub(super) fn sum_of_combinations(&mut self, list: &[Value], span: Span) -> Outcome<Value> {
+        let mut total: Option<Arc<Combination>> = None;
+        for value in list {
+            let Value::Combination(next) = value else { return Err(Stop::Reported) };
+            self.step(span)?;
+            total = match total {
+                None => Some(next.clone()),
+                Some(total) => match self.combine(Arithmetic::Add, &total, next, span)? {
+                    Value::Combination(sum) => Some(sum),
+                    _ => return Err(Stop::Reported),
+                },
+            };
+        }
+        total.map(Value::Combination).ok_or(Stop::Reported)
+    }
+
+    /// `text(value)`
+    pub(super) fn text(&mut self, value: &Value, argument: &Expr) -> Outcome<Value> {
+        let text = match value {
+            Value::Scalar(scalar) => super::words(scalar, &argument.ty).into(),
+            Value::Bool(truth) => truth.to_string().into(),
+            Value::Text(text) => text.clone(),
+            _ => return Err(Stop::Reported),
+        };
+        Ok(Value::Text(text))
     }
 }

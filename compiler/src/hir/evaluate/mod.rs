@@ -7,11 +7,13 @@ mod conversion;
 mod expression;
 mod instance;
 mod list;
+mod maths;
 mod native;
 mod operator;
 mod overrides;
 mod placement;
 mod symbolic;
+mod vectors;
 
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
 pub use expression::{quantity_words, words};

@@ -43,7 +43,41 @@ impl Evaluator<'_> {
                 return self.sheet([u, v, net], places, span);
             }
             (Native::Len, [Value::List(list)]) => Scalar::integer(list.len() as i64),
+            (Native::Sum, [Value::List(list)]) if matches!(list.first(), Some(Value::Combination(_))) => {
+                return self.sum_of_combinations(list, span);
+            }
             (Native::Sum, [Value::List(list)]) => self.sum(list, span)?,
+            (Native::Concat, [Value::List(lists)]) => return self.concat(lists, span),
+            (Native::Reverse, [Value::List(list)]) => {
+                self.spend(list.len() as u64, span)?;
+                return Ok(Value::List(Arc::new(list.iter().rev().cloned().collect())));
+            }
+            (Native::Transpose, [Value::List(grid)]) => return self.transpose(grid, &arguments[0]),
+            (Native::Text, [value]) => return self.text(value, &arguments[0]),
+            (
+                Native::Norm
+                | Native::Distance
+                | Native::Dot
+                | Native::Toward
+                | Native::WithLength
+                | Native::Perpendicular,
+                values,
+            ) => return self.vectors(native, values, arguments, span),
+            (
+                Native::Asin
+                | Native::Acos
+                | Native::Atan
+                | Native::Atan2
+                | Native::Exp
+                | Native::Ln
+                | Native::Pow
+                | Native::Ceil
+                | Native::Mod,
+                values,
+            ) => {
+                let numbers: Vec<&Scalar> = values.iter().filter_map(Value::scalar).collect();
+                self.maths(native, &numbers, arguments)?
+            }
             (Native::Min | Native::Max, [Value::List(list)]) => self.extreme(native, list, &arguments[0])?,
             (Native::Min | Native::Max, [a, b]) => self.extreme(native, &[a.clone(), b.clone()], expr)?,
             (Native::Interpolate, [Value::Scalar(x), Value::List(table)]) => {
@@ -214,13 +248,13 @@ fn tangent(angle: &Scalar) -> Result<Scalar, ScalarError> {
     }
 }
 
-fn whole(x: &Scalar, halves_added: i64) -> Result<Scalar, ScalarError> {
+pub(super) fn whole(x: &Scalar, halves_added: i64) -> Result<Scalar, ScalarError> {
     let value = exactly(x.clone())?.to_rational().ok_or(ScalarError::Undetermined)?;
     let half = Rational::new(halves_added, 2).unwrap_or_default();
     Ok(Scalar::Exact((&value + &half).floor()))
 }
 
-fn square_root(x: &Scalar) -> Result<Scalar, ScalarError> {
+pub(super) fn square_root(x: &Scalar) -> Result<Scalar, ScalarError> {
     let value = x.to_f64().ok_or(ScalarError::Undetermined)?;
     let root = value.sqrt();
     if let (Some(exact), Some(candidate)) = (x.to_rational(), Rational::from_f64(root))

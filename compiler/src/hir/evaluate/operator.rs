@@ -50,6 +50,11 @@ impl Evaluator<'_> {
             (Value::Scalar(factor), Value::Combination(b)) => {
                 self.scale(b, factor, false, left_expr.span.to(span))
             }
+            (Value::Text(a), Value::Text(b)) => {
+                self.spend((a.len() + b.len()) as u64 / 64, span)?;
+                self.length(a.len() + b.len(), span)?;
+                Ok(Value::Text([a.as_ref(), b.as_ref()].concat().into()))
+            }
             _ => Err(Stop::Reported),
         }
     }

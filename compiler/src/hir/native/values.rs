@@ -1,0 +1,110 @@
+//! The natives that work with plain values: maths, lists, vectors, texts.
+
+use super::{Native, NativeDeclaration, Takes, native, needs};
+
+/// Maths, lists, vectors, texts.
+pub const VALUES: &[NativeDeclaration] = &[
+    native(
+        Native::Asin,
+        "prelude",
+        "asin",
+        &[needs("x", Takes::Number)],
+        "the angle between -90deg and 90deg whose sine is x",
+    ),
+    native(
+        Native::Acos,
+        "prelude",
+        "acos",
+        &[needs("x", Takes::Number)],
+        "the angle between 0deg and 180deg whose cosine is x",
+    ),
+    native(
+        Native::Atan,
+        "prelude",
+        "atan",
+        &[needs("x", Takes::Number)],
+        "the angle between -90deg and 90deg whose tangent is x",
+    ),
+    native(
+        Native::Atan2,
+        "prelude",
+        "atan2",
+        &[needs("y", Takes::Quantity), needs("x", Takes::Quantity)],
+        "the angle from the x axis to the direction (x, y), above -180deg and up to 180deg",
+    ),
+    native(Native::Exp, "prelude", "exp", &[needs("x", Takes::Number)], "e to the power x"),
+    native(Native::Ln, "prelude", "ln", &[needs("x", Takes::Number)], "the natural logarithm"),
+    native(
+        Native::Pow,
+        "prelude",
+        "pow",
+        &[needs("x", Takes::Number), needs("n", Takes::Number)],
+        "x to the power n; exact where n is a whole number",
+    ),
+    native(Native::Ceil, "prelude", "ceil", &[needs("x", Takes::Number)], "the whole number at or above"),
+    native(
+        Native::Mod,
+        "prelude",
+        "mod",
+        &[needs("a", Takes::Quantity), needs("b", Takes::Quantity)],
+        "what is left of a after the whole multiples of b: between 0 and b",
+    ),
+    native(
+        Native::Concat,
+        "prelude",
+        "concat",
+        &[needs("lists", Takes::Lists)],
+        "the elements of all lists, one list after the other",
+    ),
+    native(Native::Reverse, "prelude", "reverse", &[needs("list", Takes::List)], "the list from its end"),
+    native(
+        Native::Transpose,
+        "prelude",
+        "transpose",
+        &[needs("grid", Takes::Lists)],
+        "the grid with rows and columns exchanged",
+    ),
+    native(Native::Norm, "prelude", "norm", &[needs("v", Takes::Vector)], "the length of a vector"),
+    native(
+        Native::Distance,
+        "prelude",
+        "distance",
+        &[needs("p", Takes::Point), needs("q", Takes::Point)],
+        "how far two points are from each other",
+    ),
+    native(
+        Native::Dot,
+        "prelude",
+        "dot",
+        &[needs("v", Takes::Vector), needs("w", Takes::Vector)],
+        "the scalar product of two vectors, an area",
+    ),
+    native(
+        Native::Toward,
+        "prelude",
+        "toward",
+        &[needs("p", Takes::Point), needs("q", Takes::Point), needs("distance", Takes::Length)],
+        "the point at a distance from p in the direction of q",
+    ),
+    native(
+        Native::WithLength,
+        "prelude",
+        "with_length",
+        &[needs("v", Takes::Vector), needs("length", Takes::Length)],
+        "the vector in the direction of v with this length",
+    ),
+    native(
+        Native::Perpendicular,
+        "prelude",
+        "perpendicular",
+        &[needs("v", Takes::Vector), needs("w", Takes::Vector), needs("length", Takes::Length)],
+        "the vector of this length at right angles to two vectors of space, right-handed",
+    ),
+    native(
+        Native::Text,
+        "prelude",
+        "text",
+        &[needs("value", Takes::Plain)],
+        "a number with its unit, a truth or a text as a text; texts are joined by `+`",
+    ),
+];
