@@ -2,7 +2,11 @@
 //! could not be understood are [`ItemKind::Error`], [`MemberKind::Error`], [`EntryKind::Error`] and
 //! [`ExprKind::Error`]; a diagnostic has been given for each.
 
+mod ifs;
+
 pub use super::unit::Unit;
+pub use ifs::{ControlPoint, Ifs, Member, MemberKind, Space, Transform};
+
 use crate::source::Span;
 
 /// A whole file.
@@ -172,71 +176,6 @@ pub struct Record {
     pub name: Name,
     /// Its fields.
     pub fields: Vec<Field>,
-}
-
-/// An iterated function system.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Ifs {
-    /// Its name.
-    pub name: Name,
-    /// What it takes.
-    pub parameters: Vec<Field>,
-    /// Where it lives.
-    pub space: Space,
-    /// The members in order.
-    pub members: Vec<Member>,
-}
-
-/// The space of an ifs.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Space {
-    /// `on (p0, p1, …)` with the span of the brackets.
-    On(Vec<Name>, Span),
-    /// `in plane`
-    Plane(Span),
-    /// `in space`
-    Space(Span),
-}
-
-/// A member of an ifs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Member {
-    /// The whole member.
-    pub span: Span,
-    /// The `///` lines before it.
-    pub docs: Vec<String>,
-    /// What it is.
-    pub kind: MemberKind,
-}
-
-/// What a member of an ifs is.
-#[derive(Clone, Debug, PartialEq)]
-pub enum MemberKind {
-    /// `let a = lerp(p0, p1, t)`
-    Let(Let),
-    /// `transform left = self on (…)`, `transform branch[i in 0..3] = …`
-    Transform(Transform),
-    /// `germ segment(p0, p3)`
-    Germ(Expr),
-    /// `keep strut(…)`
-    Keep(Expr),
-    /// `boundary start = bspline3_end on (p0, p1, p2)`
-    Boundary(Name, Expr),
-    /// `join left.end = right.start`: two dotted paths (one or two names each).
-    Join(Vec<Name>, Vec<Name>),
-    /// Not understood.
-    Error,
-}
-
-/// A transform, or an indexed family of them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Transform {
-    /// Its name.
-    pub name: Name,
-    /// `[i in 0..3]`
-    pub family: Option<(Name, Expr)>,
-    /// What it continues with, and where.
-    pub value: Expr,
 }
 
 /// A figure.

@@ -19,12 +19,17 @@ impl Checker<'_> {
             frame.declare(&field.name, parameter.ty.clone());
         }
         for point in points {
-            self.refuse_twice(&frame, point);
-            frame.declare(point, Type::Point(PointSpace::Control));
+            if let Some(count) = &point.count {
+                let message = "lists of control points are not available yet";
+                self.report(Diagnostic::new(Code::E0001, count.span, message).label("how many there are"));
+                return ItemKind::Broken;
+            }
+            self.refuse_twice(&frame, &point.name);
+            frame.declare(&point.name, Type::Point(PointSpace::Control));
         }
         let mut typed = Ifs {
             parameters,
-            control_points: points.iter().map(|point| point.text.clone()).collect(),
+            control_points: points.iter().map(|point| point.name.text.clone()).collect(),
             lets: Vec::new(),
             transforms: Vec::new(),
             germ: None,

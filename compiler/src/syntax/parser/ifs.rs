@@ -10,7 +10,7 @@ use super::primitive::{lexeme, token, word};
 use super::recovery::Stop;
 use super::sequence::{block, parenthesized};
 use crate::source::Span;
-use crate::syntax::ast::{Ifs, Member, MemberKind, Name, Space, Transform};
+use crate::syntax::ast::{ControlPoint, Ifs, Member, MemberKind, Name, Space, Transform};
 use crate::syntax::token::TokenKind;
 use chumsky::prelude::*;
 
@@ -20,7 +20,7 @@ pub(super) fn ifs<'s>(expressions: &Expressions<'s>) -> Rule<'s, Ifs> {
     item_token(TokenKind::Ifs)
         .ignore_then(declared(Case::Snake))
         .then(parameters(expressions).or_not())
-        .then(space())
+        .then(space(expressions))
         .then(block(member(expressions), Stop::Member, failed, Expected::OpenBrace))
         .map(|(((name, parameters), space), members)| Ifs {
             name,
@@ -31,12 +31,19 @@ pub(super) fn ifs<'s>(expressions: &Expressions<'s>) -> Rule<'s, Ifs> {
         .boxed()
 }
 
-/// `on (p0, p1)`, `in plane`, `in space`
-fn space<'s>() -> Rule<'s, Space> {
-    let nowhere = |span| Name { text: String::new(), span };
-    let points = parenthesized(Expected::OpenParenthesis, declared(Case::Snake), nowhere)
-        .map(|names| names.into_iter().filter(|name: &Name| !name.text.is_empty()).collect())
-        .map_with(|names, e| Space::On(names, e.span()));
+/// `on (p0, p1)`, `on (p[n + 1])`, `in plane`, `in space`
+fn space<'s>(expressions: &Expressions<'s>) -> Rule<'s, Space> {
+    let nowhere = |span| ControlPoint { name: Name { text: String::new(), span }, count: None };
+    let count = expressions
+        .whole
+        .clone()
+        .map(|count| count.expr)
+        .delimited_by(token(TokenKind::OpenBracket), token(TokenKind::CloseBracket));
+    let point =
+        declared(Case::Snake).then(count.or_not()).map(|(name, count)| ControlPoint { name, count }).boxed();
+    let points = parenthesized(Expected::OpenParenthesis, point, nowhere)
+        .map(|points| points.into_iter().filter(|point: &ControlPoint| !point.name.text.is_empty()).collect())
+        .map_with(|points, e| Space::On(points, e.span()));
     let on = token(TokenKind::On).labelled(Expected::Space).ignore_then(points);
     let whole = lexeme(Expected::Unit, |found, _| match found.text {
         "plane" => Some(Space::Plane as fn(Span) -> Space),

@@ -139,6 +139,14 @@ fn words_mean_something_only_in_their_place() {
 }
 
 #[test]
+fn lists_of_control_points() {
+    let ItemKind::Ifs(it) = only("ifs a on (p[n + 1], q) { germ segment(q, q) }").kind else { panic!() };
+    let Space::On(points, _) = &it.space else { panic!() };
+    let counts: Vec<Option<String>> = points.iter().map(|p| p.count.as_ref().map(printer::expr)).collect();
+    assert_eq!(counts, [Some("(n + 1)".to_owned()), None]);
+}
+
+#[test]
 fn an_ifs_and_its_members() {
     let text = "pub ifs a(t: Number = 1/2, n: Int) on (p0, p1) { let m = t transform x[i in 0..3] = self on (p0, m) \
         transform y = b(t) * self germ segment(p0, p1) keep strut(p0) boundary start = e on (p0) join x.end = y.start \
