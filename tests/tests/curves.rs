@@ -86,7 +86,7 @@ fn the_examples_agree_with_scipy_and_geomdl() {
 
 /// Every ifs of `std.curves`, alone and in products, at several splits and levels.
 const DESIGN: &str = "
-use std.curves (bezier2, bezier3, bspline2, bspline3)
+use std.curves (bezier2, bezier3, bspline1, bspline2, bspline3, bspline4, bspline5, line)
 use std.surfaces (tensor, sheet)
 
 let net = [[ (i * 0.7m, j * 1.1m + i * 0.1m, 0.8m * sin(35deg * i) * cos(25deg * j)) for j in 0..7 ] for i in 0..6]
@@ -98,6 +98,10 @@ figure late    = bezier3(t: 0.93) on ((0m, 0m), (0.5m, 2m), (3.5m, 2m), (4m, 0m)
 figure parabola = bezier2(t: 0.4) on ((0m, 0m), (1m, 3m), (4m, 0m)) at level 6
 figure chaikin = bspline2 on ((0m, 0m), (1m, 3m), (4m, 0m)) at level 6
 figure cubic   = bspline3 on ((0m, 0m, 0m), (1m, 3m, 1m), (4m, 0m, 2m), (5m, 5m, 0m)) at level 6
+figure polygon = bspline1 on ((0m, 0m), (1m, 3m)) at level 4
+figure quartic = bspline4 on ((0m, 0m, 0m), (1m, 3m, 1m), (4m, 0m, 2m), (5m, 5m, 0m), (7m, 1m, 1m)) at level 5
+figure quintic = bspline5 on ((0m, 0m), (1m, 3m), (4m, 0m), (5m, 5m), (7m, 1m), (9m, 0m)) at level 5
+figure straight = line on ((0m, 0m), (4m, 1m)) at level 3
 figure least   = bezier3(t: 0.46) on ((0m, 0m), (0.5m, 2m), (3.5m, 2m), (4m, 0m)) at level 0
 
 figure patch   = tensor(bezier3, bezier3) on net[0..4, 0..4] at level (4, 3)
@@ -106,6 +110,8 @@ figure mixed   = tensor(bspline3, bezier2) on net[1..5, 0..3] at level (2, 3)
 figure cloth   = sheet(bspline3, bspline3, net) at level (3, 2)
 figure smooth  = sheet(bspline2, bspline2, net) at level 3
 figure woven   = sheet(bspline3, bspline2, net) at level (1, 3)
+figure folded  = sheet(bspline1, bspline4, net) at level (2, 3)
+figure smoothest = sheet(bspline5, bspline5, net) at level 2
 ";
 
 #[test]
@@ -120,6 +126,10 @@ fn every_curve_of_the_library_agrees_at_every_split_and_level() {
         ("parabola", bezier(2, 0.4)),
         ("chaikin", BSPLINE2),
         ("cubic", BSPLINE3),
+        ("polygon", ("bspline", 1, None)),
+        ("quartic", ("bspline", 4, None)),
+        ("quintic", ("bspline", 5, None)),
+        ("straight", ("bezier", 1, None)),
         ("least", bezier(3, 0.46)),
     ];
     let surfaces = [
@@ -129,6 +139,8 @@ fn every_curve_of_the_library_agrees_at_every_split_and_level() {
         ("cloth", [BSPLINE3, BSPLINE3]),
         ("smooth", [BSPLINE2, BSPLINE2]),
         ("woven", [BSPLINE3, BSPLINE2]),
+        ("folded", [("bspline", 1, None), ("bspline", 4, None)]),
+        ("smoothest", [("bspline", 5, None), ("bspline", 5, None)]),
     ];
     let count = design.plan.as_ref().unwrap().plan.figures().len();
     assert_eq!(curves.len() + surfaces.len(), count, "each figure is compared");
