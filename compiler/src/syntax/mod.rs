@@ -4,6 +4,7 @@
 
 pub mod ast;
 mod docs;
+pub mod format;
 mod lexeme;
 mod lexer;
 pub mod limits;
