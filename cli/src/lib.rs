@@ -10,6 +10,7 @@ pub mod commands;
 pub mod exit;
 pub mod folder;
 pub mod output;
+pub mod project;
 pub mod sources;
 
 use std::ffi::OsString;

@@ -3,24 +3,25 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use ifs_compiler::analysis::{Analysis, analyse};
-use ifs_compiler::outputs::{Output, Selection, outputs, parameter_texts};
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::outputs::{Output, Selection, outputs, parameter_texts, project_sources};
 
 use super::{overrides, table, tell};
 use crate::args::{Build, Emit, MessageFormat};
 use crate::exit::Exit;
 use crate::folder::{Committed, Exchange, FolderError, OutputFolder, Provenance, SourceRecord};
 use crate::output;
-use crate::sources::Disk;
+use crate::project::Project;
 
 /// Builds a design.
 pub fn build(build: &Build, format: MessageFormat) -> Exit {
-    let Some(path) = build.file.to_str() else {
+    let Some(project) = Project::of(&build.file) else {
         output::message("error: a path that is not UTF-8\n");
         return Exit::Usage;
     };
-    let analysis = analyse(&Disk, path, &overrides(&build.settings));
-    let told = tell(&analysis.diagnostics, &analysis.sources, format);
+    let analysis = project.analyse(&overrides(&build.settings));
+    let sources = project.shown(&analysis.sources);
+    let told = tell(&analysis.diagnostics, &sources, format);
     if told.exit != Exit::Good {
         return told.exit;
     }
@@ -35,7 +36,7 @@ pub fn build(build: &Build, format: MessageFormat) -> Exit {
         return Exit::Good;
     }
     let made = outputs(&analysis, selection);
-    let told = tell(&made.diagnostics, &analysis.sources, format);
+    let told = tell(&made.diagnostics, &sources, format);
     if told.exit != Exit::Good {
         return told.exit;
     }
@@ -64,11 +65,10 @@ fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed,
     for file in files {
         staging.write_with(&file.path, file.kind, file.address.as_deref(), |out| file.write(out))?;
     }
-    let root = analysis.sources.get(analysis.root);
-    let text = root.map_or("", |source| source.text.as_str());
-    let name = format!("{}.ifs", analysis.design_name());
+    let sources = project_sources(analysis);
+    let sources = sources.iter().map(|(path, text)| SourceRecord::of(path, text.as_bytes())).collect();
     let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
-    staging.commit(&Provenance { sources: vec![SourceRecord::of(&name, text.as_bytes())], parameters })
+    staging.commit(&Provenance { sources, parameters })
 }
 
 fn finish(analysis: &Analysis, committed: &Committed, out: &Path, format: MessageFormat) -> Exit {

@@ -75,7 +75,13 @@ fn exit_for(diagnostics: &[Diagnostic]) -> Exit {
     for diagnostic in diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error) {
         let this = match diagnostic.code {
             Code::E0306 => Exit::InputOutput,
-            Code::E0107 | Code::E0108 | Code::E0701 | Code::E0702 | Code::E0703 | Code::E0704 => Exit::Limit,
+            Code::E0107
+            | Code::E0108
+            | Code::E0312
+            | Code::E0701
+            | Code::E0702
+            | Code::E0703
+            | Code::E0704 => Exit::Limit,
             _ => Exit::Design,
         };
         exit = match (exit, this) {

@@ -8,39 +8,57 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
+use super::ProjectFile;
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::source::Span;
+use crate::source::{FileId, SourceMap, Span};
 use crate::syntax::Parse;
 use crate::syntax::ast::{EntryKind, Item, ItemKind, MemberKind};
 
-/// The messages that stand without the syntax errors of the design's own file, whose text this is.
-pub(super) fn without(found: Vec<Diagnostic>, text: &str, parse: &Parse) -> Vec<Diagnostic> {
+/// The messages that stand without the syntax errors of the files they speak of.
+pub(super) fn without(
+    mut found: Vec<Diagnostic>,
+    files: &[ProjectFile],
+    sources: &SourceMap,
+) -> Vec<Diagnostic> {
+    for file in files {
+        if !file.readable {
+            found.retain(|diagnostic| diagnostic.span.file != file.file);
+        }
+        // An import is not unused whose use could not be read.
+        if !file.parse.diagnostics.is_empty() {
+            found.retain(|diagnostic| diagnostic.code != Code::W0307 || diagnostic.span.file != file.file);
+        }
+        let text = sources.get(file.file).map_or("", |source| source.text.as_str());
+        found = without_those_of(found, text, &file.parse, file.file);
+    }
+    found
+}
+
+/// The messages that stand without the syntax errors of one file, whose text this is.
+fn without_those_of(found: Vec<Diagnostic>, text: &str, parse: &Parse, file: FileId) -> Vec<Diagnostic> {
     let errors = parse.diagnostics.iter().filter(|error| breaks(error));
     let broken: Vec<Piece> = errors.filter_map(|error| piece_around(parse, text, error.span)).collect();
     if broken.is_empty() {
         return found;
     }
-    let file = parse.diagnostics[0].span.file;
     let lost: BTreeSet<&str> =
         broken.iter().filter(|piece| piece.lost).flat_map(|piece| names(text, piece)).collect();
     // An item whose very name is missing may be the one that others look for.
     let nameless = broken.iter().any(|piece| piece.lost && declares_nothing(text, piece));
-    let inside =
-        |span: Span| span.file == file && broken.iter().any(|piece| piece.range.contains(&span.start));
+    let inside = |span: Span| broken.iter().any(|piece| piece.range.contains(&span.start));
     let names_lost = |diagnostic: &Diagnostic| {
         matches!(diagnostic.code, Code::E0301 | Code::E0409)
             && (nameless || text.get(diagnostic.span.range()).is_some_and(|name| lost.contains(name)))
     };
-    // What uses an import may stand in what could not be understood.
     let stands = |diagnostic: &Diagnostic| {
-        diagnostic.code != Code::W0307 && !inside(diagnostic.span) && !names_lost(diagnostic)
+        diagnostic.span.file != file || (!inside(diagnostic.span) && !names_lost(diagnostic))
     };
     found.into_iter().filter(stands).collect()
 }
 
 /// Whether an error of the parser leaves something out of the tree. Wrong characters do not: they are passed over, and
 /// wrong numbers and texts are errors that the checker knows of.
-fn breaks(error: &Diagnostic) -> bool {
+pub(super) fn breaks(error: &Diagnostic) -> bool {
     let harmless = matches!(
         error.code,
         Code::E0102 | Code::E0103 | Code::E0104 | Code::E0105 | Code::E0106 | Code::E0204 | Code::E0205

@@ -1,9 +1,21 @@
-//! Reading and parsing: the design's file and the library.
+//! Reading and parsing: the design's file, the files it uses, theirs, and the library. What the names in them mean is
+//! not looked at.
+
+mod circles;
+mod paths;
+mod problems;
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::LIBRARY;
 use crate::source::{FileId, Files, ReadError, SourceMap, Span};
 use crate::syntax::{Parse, ast, parse};
+use std::collections::BTreeMap;
+
+/// The most files a design may be made of.
+pub const MOST_FILES: usize = 1000;
+
+/// The most bytes the files of a design may have together.
+pub const MOST_BYTES: usize = 32 << 20;
 
 /// The parsed library.
 #[derive(Debug, Default)]
@@ -18,35 +30,179 @@ impl Library {
     }
 }
 
-/// A design's text and the library's, parsed.
+/// A parsed file of the project.
+#[derive(Debug)]
+pub struct ProjectFile {
+    /// Its identity.
+    pub file: FileId,
+    /// Its path from the root of the project.
+    pub path: String,
+    /// Its tree and tokens.
+    pub parse: Parse,
+    /// Where it names files it uses, and which: those that could be read.
+    pub uses: Vec<(Span, FileId)>,
+    /// Whether all of it could be read.
+    pub readable: bool,
+}
+
+/// The files of a design and the library's, parsed.
 pub(super) struct Loaded {
     pub(super) sources: SourceMap,
-    pub(super) root: FileId,
-    pub(super) parse: Parse,
+    /// The design's own file first, then the files it uses in the order they are met.
+    pub(super) files: Vec<ProjectFile>,
     pub(super) library: Library,
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
 pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
-    let mut sources = SourceMap::default();
-    let (text, problem) = match files.read(root) {
-        Ok(bytes) => decode(bytes),
-        Err(error) => (String::new(), Some(unreadable(root, &error))),
+    let mut loader = Loader {
+        files,
+        sources: SourceMap::default(),
+        found: Vec::new(),
+        known: BTreeMap::new(),
+        bytes: 0,
+        full: false,
+        diagnostics: Vec::new(),
     };
-    let id = sources.add(root, text);
-    let parse_of = |sources: &SourceMap, id: FileId| sources.get(id).map(parse).unwrap_or_default();
-    let parsed = parse_of(&sources, id);
+    match files.read(root) {
+        Ok(bytes) => {
+            loader.add(root, bytes);
+        }
+        Err(error) => {
+            let file = loader.sources.add(root, "");
+            loader.diagnostics.push(problems::unreadable_design(root, &error, file));
+            loader.known.insert(root.to_owned(), Ok(0));
+            loader.found.push(ProjectFile {
+                file,
+                path: root.to_owned(),
+                parse: Parse::default(),
+                uses: Vec::new(),
+                readable: false,
+            });
+        }
+    }
     let mut library = Library::default();
     for (name, text) in LIBRARY {
-        let file = sources.add(format!("std.{name}"), *text);
-        library.modules.push((name, file, parse_of(&sources, file).ast));
+        let file = loader.sources.add(format!("std.{name}"), *text);
+        library.modules.push((name, file, parse_of(&loader.sources, file).ast));
     }
-    let diagnostics = problem.into_iter().collect();
-    Loaded { sources, root: id, parse: parsed, library, diagnostics }
+    let mut next = 0;
+    while next < loader.found.len() {
+        loader.follow(next);
+        next += 1;
+    }
+    loader.diagnostics.extend(circles::circles(&loader.found));
+    Loaded { sources: loader.sources, files: loader.found, library, diagnostics: loader.diagnostics }
 }
 
-/// The text of a file; where it is not UTF-8, what stands before the first wrong byte.
-fn decode(bytes: Vec<u8>) -> (String, Option<Diagnostic>) {
+fn parse_of(sources: &SourceMap, file: FileId) -> Parse {
+    sources.get(file).map(parse).unwrap_or_default()
+}
+
+/// Why a path leads to no file.
+#[derive(Clone, Debug)]
+enum Failure {
+    Unreadable(ReadError),
+    TooManyFiles,
+    TooManyBytes,
+}
+
+struct Loader<'f> {
+    files: &'f dyn Files,
+    sources: SourceMap,
+    found: Vec<ProjectFile>,
+    /// Every path met, with the place of the file it leads to.
+    known: BTreeMap<String, Result<usize, Failure>>,
+    bytes: usize,
+    /// Whether a limit was hit: no more files are read, which has been said.
+    full: bool,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl Loader<'_> {
+    /// Adds a file and gives its place.
+    fn add(&mut self, path: &str, bytes: Vec<u8>) -> usize {
+        self.bytes = self.bytes.saturating_add(bytes.len());
+        let place = self.found.len();
+        let (text, wrong) = decode(bytes);
+        let file = self.sources.add(path, text);
+        self.diagnostics.extend(wrong.map(|(at, byte)| problems::no_text(file, at, byte)));
+        let parse = parse_of(&self.sources, file);
+        let readable = wrong.is_none();
+        self.known.insert(path.to_owned(), Ok(place));
+        self.found.push(ProjectFile { file, path: path.to_owned(), parse, uses: Vec::new(), readable });
+        place
+    }
+
+    /// Reads the files that a file uses.
+    fn follow(&mut self, place: usize) {
+        let parse = &self.found[place].parse;
+        let uses = parse.ast.items.iter().filter_map(|item| match &item.kind {
+            ast::ItemKind::Use(ast::Use { module: ast::ModulePath::File(path), .. }) => Some(path),
+            _ => None,
+        });
+        // A text with a mistake in it is not the path that was meant.
+        let whole = |path: &&ast::TextLiteral| {
+            !parse.diagnostics.iter().any(|wrong| path.span.touches(wrong.span.start))
+        };
+        let named: Vec<ast::TextLiteral> = uses.filter(whole).cloned().collect();
+        let from = self.found[place].path.clone();
+        for path in named {
+            if let Some(used) = self.used(&from, &path) {
+                let file = self.found[used].file;
+                self.found[place].uses.push((path.span, file));
+            }
+        }
+    }
+
+    /// The place of the file that a path leads to; `None` after a report.
+    fn used(&mut self, from: &str, written: &ast::TextLiteral) -> Option<usize> {
+        let path = match paths::path(from, &written.value) {
+            Ok(path) => path,
+            Err(fault) => {
+                self.diagnostics.push(problems::no_path(written, &fault));
+                return None;
+            }
+        };
+        let outcome = match self.known.get(&path) {
+            Some(known) => known.clone(),
+            None => {
+                let outcome = self.read(&path);
+                self.known.insert(path.clone(), outcome.clone());
+                outcome
+            }
+        };
+        let diagnostic = match outcome {
+            Ok(place) => return Some(place),
+            Err(Failure::Unreadable(error)) => problems::unreadable(written, &path, &error),
+            Err(_) if self.full => return None,
+            Err(Failure::TooManyFiles) => problems::too_many_files(written),
+            Err(Failure::TooManyBytes) => problems::too_many_bytes(written),
+        };
+        self.full |= diagnostic.code == Code::E0312;
+        self.diagnostics.push(diagnostic);
+        None
+    }
+
+    /// Reads a file that no path has led to yet.
+    fn read(&mut self, path: &str) -> Result<usize, Failure> {
+        let resolved = self.files.resolve(path).map_err(Failure::Unreadable)?;
+        if let Some(known) = self.known.get(&resolved) {
+            return known.clone();
+        }
+        if self.full || self.found.len() >= MOST_FILES {
+            return Err(Failure::TooManyFiles);
+        }
+        let bytes = self.files.read(&resolved).map_err(Failure::Unreadable)?;
+        if self.bytes.saturating_add(bytes.len()) > MOST_BYTES {
+            return Err(Failure::TooManyBytes);
+        }
+        Ok(self.add(&resolved, bytes))
+    }
+}
+
+/// The text of a file; where it is not UTF-8, what stands before the first wrong byte, and that byte with its place.
+fn decode(bytes: Vec<u8>) -> (String, Option<(usize, u8)>) {
     let error = match String::from_utf8(bytes) {
         Ok(text) => return (text, None),
         Err(error) => error,
@@ -54,21 +210,8 @@ fn decode(bytes: Vec<u8>) -> (String, Option<Diagnostic>) {
     let valid = error.utf8_error().valid_up_to();
     let bytes = error.into_bytes();
     let byte = bytes.get(valid).copied().unwrap_or(0);
-    let text = String::from_utf8_lossy(&bytes[..valid]).into_owned();
-    let at = u32::try_from(valid).unwrap_or(u32::MAX);
-    let message = format!("the file is not UTF-8 text: byte {valid} is 0x{byte:02x}");
-    let diagnostic = Diagnostic::new(Code::E0101, Span::new(FileId(0), at, at), message)
-        .label("up to here it is text")
-        .hint("save it as UTF-8; is it really a design?");
-    (text, Some(diagnostic))
+    (String::from_utf8_lossy(&bytes[..valid]).into_owned(), Some((valid, byte)))
 }
 
-fn unreadable(path: &str, error: &ReadError) -> Diagnostic {
-    let why = match error {
-        ReadError::NotFound => "there is no such file".to_owned(),
-        ReadError::OutsideRoot => "it lies outside of the project".to_owned(),
-        ReadError::Other(why) => why.clone(),
-    };
-    let message = format!("`{path}` cannot be read: {why}");
-    Diagnostic::new(Code::E0306, Span::new(FileId(0), 0, 0), message).hint("is the path right?")
-}
+#[cfg(test)]
+mod tests;

@@ -11,29 +11,28 @@ mod requirements;
 mod settings;
 
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
-pub use load::Library;
+pub use load::{Library, MOST_BYTES, MOST_FILES, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry};
 pub use requirements::{LimitValue, RequirementResult};
 pub(crate) use settings::{field, number, text};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
-use crate::hir::tree::{Hir, ItemKind};
+use crate::hir::tree::{Hir, Item, ItemKind};
 use crate::hir::{Checked, ModuleSource, check};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
-use crate::syntax::Parse;
 use std::collections::BTreeSet;
 
 /// Everything that is known of a design.
 #[derive(Debug)]
 pub struct Analysis {
-    /// The texts: the design's own first, then the library's.
+    /// The texts: the design's own first, then the library's, then those of the files it uses.
     pub sources: SourceMap,
     /// The design's own file.
     pub root: FileId,
-    /// Its tree and tokens.
-    pub parse: Parse,
+    /// The files of the project that the design is made of: its own first, then those it uses as they are met.
+    pub files: Vec<ProjectFile>,
     /// Its typed tree.
     pub hir: Hir,
     /// Its parameters as they are used.
@@ -60,7 +59,7 @@ impl Analysis {
         let path = self.sources.get(self.root).map_or("", |source| source.path.as_str());
         let file = path.rsplit('/').next().unwrap_or(path);
         match file.strip_suffix(".ifs").unwrap_or(file) {
-            "-" if path == "-" => "stdin".to_owned(),
+            "-" => "stdin".to_owned(),
             // Such names would make the output folder the one it should lie in.
             "" | "." | ".." => "design".to_owned(),
             name => name.to_owned(),
@@ -70,33 +69,23 @@ impl Analysis {
 
 /// Analyses a design: the file `root`, with parameters set from outside.
 pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
-    let mut loaded = load::load(files, root);
+    let loaded = load::load(files, root);
+    let root = loaded.files.first().map_or(FileId(0), |file| file.file);
     let mut diagnostics = Diagnostics::default();
-    diagnostics.extend(std::mem::take(&mut loaded.diagnostics));
+    diagnostics.extend(loaded.diagnostics);
     // Of a text that could not be read to its end nothing more is said: it would speak of what is missing.
-    let readable = diagnostics.is_empty();
-    if readable {
-        diagnostics.extend(loaded.parse.diagnostics.iter().cloned());
+    for file in loaded.files.iter().filter(|file| file.readable) {
+        diagnostics.extend(file.parse.diagnostics.iter().cloned());
     }
-    let Checked { hir, diagnostics: found } = {
-        let mut modules = vec![ModuleSource { name: "", file: loaded.root, ast: &loaded.parse.ast }];
-        modules.extend(loaded.library.modules().map(|(name, file, ast)| ModuleSource { name, file, ast }));
-        check(&modules)
-    };
-    if readable {
-        let text = loaded.sources.get(loaded.root).map_or("", |source| source.text.as_str());
-        let found = cascades::without(found, text, &loaded.parse);
-        // An import is not unused whose use could not be read.
-        let broken = !loaded.parse.diagnostics.is_empty();
-        diagnostics.extend(found.into_iter().filter(|found| !(broken && found.code == Code::W0307)));
-    }
+    let Checked { hir, diagnostics: found } = check(&modules(&loaded.files, &loaded.library));
+    diagnostics.extend(cascades::without(found, &loaded.files, &loaded.sources));
     if !diagnostics.has_errors() {
-        diagnostics.extend(unknown_parameters(&hir, overrides));
+        diagnostics.extend(unknown_parameters(&hir, &loaded.sources, overrides));
     }
     let mut analysis = Analysis {
         sources: loaded.sources,
-        root: loaded.root,
-        parse: loaded.parse,
+        root,
+        files: loaded.files,
         hir,
         parameters: Vec::new(),
         set_parameters: overrides.parameters.keys().cloned().collect(),
@@ -116,6 +105,27 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
     }
     analysis.diagnostics = diagnostics.finish();
     analysis
+}
+
+/// The files of the project and the modules of the library, as the checker takes them.
+fn modules<'a>(files: &'a [ProjectFile], library: &'a Library) -> Vec<ModuleSource<'a>> {
+    let own = files.iter().map(|file| ModuleSource {
+        name: "",
+        path: &file.path,
+        file: file.file,
+        ast: &file.parse.ast,
+        uses: &file.uses,
+        complete: file.readable && !file.parse.diagnostics.iter().any(cascades::breaks),
+    });
+    let library = library.modules().map(|(name, file, ast)| ModuleSource {
+        name,
+        path: "",
+        file,
+        ast,
+        uses: &[],
+        complete: true,
+    });
+    own.chain(library).collect()
 }
 
 /// A typed design worked out once.
@@ -158,7 +168,7 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
 /// Checks the weights of every ifs of the design for all values of its parameters.
 fn check_weights(hir: &Hir, overrides: &Overrides) -> Vec<Diagnostic> {
     let mut evaluator = Evaluator::new(hir, overrides);
-    for (id, _) in hir.own_items() {
+    for (id, _) in hir.project_items() {
         evaluator.check_symbolically(id);
     }
     evaluator.finish()
@@ -177,17 +187,23 @@ fn parameters(hir: &Hir, evaluator: &mut Evaluator<'_>) -> Vec<ParameterValue> {
         .collect()
 }
 
-fn unknown_parameters(hir: &Hir, overrides: &Overrides) -> Vec<Diagnostic> {
-    let known: Vec<&str> = hir
-        .own_items()
-        .filter(|(_, item)| matches!(item.kind, ItemKind::Param(_)))
-        .map(|(_, item)| item.name.as_str())
-        .collect();
+fn unknown_parameters(hir: &Hir, sources: &SourceMap, overrides: &Overrides) -> Vec<Diagnostic> {
+    let is_param = |item: &&Item| matches!(item.kind, ItemKind::Param(_));
+    let known: Vec<&str> =
+        hir.own_items().map(|(_, item)| item).filter(is_param).map(|item| item.name.as_str()).collect();
     let unknown = overrides.parameters.keys().filter(|name| !known.contains(&name.as_str()));
     unknown
         .map(|name| {
             let message = format!("the design has no parameter `{name}`");
             let diagnostic = Diagnostic::new(Code::E0605, Span::new(hir.root, 0, 0), message);
+            let elsewhere = hir.project_items().map(|(_, item)| item).filter(is_param);
+            if let Some(other) = elsewhere.into_iter().find(|item| item.name == *name) {
+                let path = sources.get(other.name_span.file).map_or("", |source| source.path.as_str());
+                return diagnostic
+                    .also(other.name_span, "not the design's own")
+                    .note(format!("`{name}` is a parameter of `{path}`: where another file uses that one, it keeps its default"))
+                    .hint(format!("declare a parameter in the design, and give it to what `{path}` offers as an argument"));
+            }
             match did_you_mean(name, known.iter().copied()) {
                 Some(suggestion) => diagnostic.hint(suggestion),
                 None if known.is_empty() => diagnostic.hint("it has no parameters at all"),

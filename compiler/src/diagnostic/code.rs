@@ -77,6 +77,9 @@ codes! {
     E0306 Error "a file that cannot be read",
     W0307 Warning "an import that is never used",
     W0308 Warning "a name of the library that is not imported",
+    E0310 Error "a path that names no file of the project",
+    E0311 Error "files that use each other in a circle",
+    E0312 Error "more files than the limit",
 
     // Types and dimensions.
     E0401 Error "a value of another type is needed here",

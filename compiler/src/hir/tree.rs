@@ -24,6 +24,8 @@ pub struct Hir {
     pub fabricates: Vec<Fabricate>,
     /// The file of the design itself.
     pub root: FileId,
+    /// The files of the library.
+    pub library: Vec<FileId>,
 }
 
 impl Hir {
@@ -36,6 +38,17 @@ impl Hir {
     pub fn own_items(&self) -> impl Iterator<Item = (ItemId, &Item)> {
         let ids = (0..self.items.len() as u32).map(ItemId);
         ids.zip(&self.items).filter(|(_, item)| item.name_span.file == self.root)
+    }
+
+    /// The items that the design's own file and the files it uses declare, in order.
+    pub fn project_items(&self) -> impl Iterator<Item = (ItemId, &Item)> {
+        let ids = (0..self.items.len() as u32).map(ItemId);
+        ids.zip(&self.items).filter(|(_, item)| !self.is_library(item.name_span.file))
+    }
+
+    /// Whether a file is one of the library's.
+    pub fn is_library(&self, file: FileId) -> bool {
+        self.library.contains(&file)
     }
 }
 

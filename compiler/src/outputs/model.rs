@@ -107,7 +107,10 @@ fn source_line(analysis: &Analysis, item: ItemId) -> Option<String> {
     let span = analysis.hir.item(item).name_span;
     let source = analysis.sources.get(span.file)?;
     let line = source.lines.bytes(span.start).line + 1;
-    Some(format!("{}.ifs:{line}", analysis.design_name()))
+    match span.file == analysis.root {
+        true => Some(format!("{}.ifs:{line}", analysis.design_name())),
+        false => Some(format!("{}:{line}", source.path)),
+    }
 }
 
 impl OwnedFigure {

@@ -20,6 +20,14 @@ pub trait Files {
     /// # Errors
     /// See [`ReadError`].
     fn read(&self, path: &str) -> Result<Vec<u8>, ReadError>;
+
+    /// The one path of a file that may go by several, as through links between folders.
+    ///
+    /// # Errors
+    /// See [`ReadError`].
+    fn resolve(&self, path: &str) -> Result<String, ReadError> {
+        Ok(path.to_owned())
+    }
 }
 
 /// Files held in memory, for tests, editors and documentation.

@@ -59,6 +59,13 @@ impl SourceMap {
         self.sources.get(id.0 as usize)
     }
 
+    /// The same sources with other paths, for messages: each path is what `shown` makes of it.
+    #[must_use]
+    pub fn shown_as(&self, shown: impl Fn(&Source) -> String) -> SourceMap {
+        let sources = self.sources.iter().map(|source| Source { path: shown(source), ..source.clone() });
+        SourceMap { sources: sources.collect() }
+    }
+
     /// All sources in order.
     pub fn iter(&self) -> impl Iterator<Item = &Source> {
         self.sources.iter()

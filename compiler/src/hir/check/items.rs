@@ -23,10 +23,10 @@ pub(super) struct Parameter {
 }
 
 impl<'a> Checker<'a> {
-    /// Checks everything the design itself declares.
+    /// Checks everything that the design and the files it uses declare, and what the design makes of it.
     pub(super) fn check_root(&mut self) {
         for index in 0..self.declared.len() {
-            if self.declared[index].module == 0 {
+            if !self.modules[self.declared[index].module].is_library() {
                 let id = ItemId(index as u32);
                 self.ensure_checked(id, self.items[index].name_span);
             }

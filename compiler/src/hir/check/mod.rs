@@ -9,6 +9,7 @@ mod fabricate;
 mod fields;
 mod ifs;
 mod items;
+mod modules;
 mod names;
 mod native;
 mod native_values;
@@ -28,12 +29,18 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A parsed file on its way to the checker.
 #[derive(Clone, Copy, Debug)]
 pub struct ModuleSource<'a> {
-    /// The name after `std.`; empty for the design itself.
+    /// The name after `std.`; empty for the files of the project.
     pub name: &'a str,
+    /// The path from the root of the project; empty for the library.
+    pub path: &'a str,
     /// Its file.
     pub file: FileId,
     /// Its tree.
     pub ast: &'a ast::File,
+    /// Where it names files it uses, and which: those that could be read.
+    pub uses: &'a [(Span, FileId)],
+    /// Whether all of its text is in the tree.
+    pub complete: bool,
 }
 
 /// What checking gives.
@@ -45,7 +52,7 @@ pub struct Checked {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Checks a design, the first of the modules, against the library, the others.
+/// Checks a design, the first of the modules, with the files it uses, against the library.
 pub fn check(modules: &[ModuleSource<'_>]) -> Checked {
     let mut checker = Checker::new(modules);
     checker.check_root();
@@ -72,8 +79,8 @@ struct Checker<'a> {
     types: BTreeMap<ItemId, Type>,
     signatures: BTreeMap<ItemId, items::Signature>,
     fabricates: Vec<Fabricate>,
-    /// Names of the library used without import, each said once.
-    not_imported: BTreeSet<String>,
+    /// Names of the library used without import, each said once a file.
+    not_imported: BTreeSet<(usize, String)>,
     diagnostics: Diagnostics,
     /// Candidates compared with unknown names so far.
     comparisons: usize,
@@ -118,7 +125,9 @@ impl<'a> Checker<'a> {
 
     fn finish(self) -> Checked {
         let root = self.modules.first().map_or(FileId(0), |module| module.file);
-        let hir = Hir { items: self.items, fabricates: self.fabricates, root };
+        let library = self.modules.iter().filter(|module| module.is_library());
+        let library = library.map(|module| module.file).collect();
+        let hir = Hir { items: self.items, fabricates: self.fabricates, root, library };
         Checked { hir, diagnostics: self.diagnostics.finish() }
     }
 }

@@ -22,13 +22,13 @@ impl Checker<'_> {
             return Some(import.symbol);
         }
         let (owner, symbol) = self.modules.iter().find_map(|scope| {
-            let symbol = scope.public.get(name).filter(|_| !scope.name.is_empty())?;
+            let symbol = scope.public.get(name).filter(|_| scope.is_library())?;
             Some((scope.name, *symbol))
         })?;
         if owner != "prelude"
-            && module == 0
+            && !self.modules[module].is_library()
             && !self.modules[module].broken_use
-            && self.not_imported.insert(name.to_owned())
+            && self.not_imported.insert((module, name.to_owned()))
         {
             let message = format!("`{name}` is used without being imported");
             let diagnostic =
@@ -109,7 +109,8 @@ impl Checker<'_> {
         let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
         known.extend(scope.own.keys().copied());
         known.extend(scope.imports.keys().copied());
-        known.extend(self.modules.iter().flat_map(|other| other.public.keys().copied()));
+        let library = self.modules.iter().filter(|other| other.is_library());
+        known.extend(library.flat_map(|other| other.public.keys().copied()));
         closest(name, known).map(str::to_owned)
     }
 

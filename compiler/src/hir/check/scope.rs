@@ -1,7 +1,7 @@
 //! Modules and what they declare and import.
 
 use super::{Checker, Declared, ModuleSource, State, broken};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, closest};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::hir::native::{LATER, Native, natives};
 use crate::hir::tree::ItemId;
 use crate::source::{FileId, Span};
@@ -29,13 +29,27 @@ pub(super) struct Import {
 
 pub(super) struct ModuleScope<'a> {
     pub(super) name: &'a str,
+    pub(super) path: &'a str,
     pub(super) file: FileId,
     pub(super) ast: &'a ast::File,
+    pub(super) uses: &'a [(Span, FileId)],
+    pub(super) complete: bool,
     pub(super) own: BTreeMap<&'a str, ItemId>,
     pub(super) public: BTreeMap<&'a str, Symbol>,
     pub(super) imports: BTreeMap<&'a str, Import>,
     /// Whether a `use` names nothing, so that any name of the library may have been meant.
     pub(super) broken_use: bool,
+}
+
+impl ModuleScope<'_> {
+    pub(super) fn is_library(&self) -> bool {
+        !self.name.is_empty()
+    }
+
+    /// As messages call it: `std.curves`, `parts/ribs.ifs`.
+    pub(super) fn title(&self) -> String {
+        if self.is_library() { format!("std.{}", self.name) } else { self.path.to_owned() }
+    }
 }
 
 pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
@@ -79,14 +93,17 @@ impl<'a> Checker<'a> {
         let module = self.modules.len();
         let mut scope = ModuleScope {
             name: source.name,
+            path: source.path,
             file: source.file,
             ast: source.ast,
+            uses: source.uses,
+            complete: source.complete,
             own: BTreeMap::new(),
             public: BTreeMap::new(),
             imports: BTreeMap::new(),
             broken_use: false,
         };
-        if !source.name.is_empty() {
+        if scope.is_library() {
             for native in natives().filter(|native| native.module == source.name) {
                 scope.public.insert(native.name, Symbol::Native(native.native));
             }
@@ -121,10 +138,11 @@ impl<'a> Checker<'a> {
         let ast = self.modules[module].ast;
         for item in &ast.items {
             let ast::ItemKind::Use(import) = &item.kind else { continue };
-            let Some(from) = self.find_module(&import.module) else {
+            let Some(from) = self.find_module(module, &import.module) else {
                 self.modules[module].broken_use |= import.names.is_empty();
+                let library = matches!(import.module, ast::ModulePath::Library(_));
                 for name in &import.names {
-                    self.lost(module, name);
+                    self.lost(module, name, library);
                 }
                 continue;
             };
@@ -134,11 +152,11 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A name that could not be imported stands for what the library has by this name, or for nothing; either way it is
-    /// not missed again where it is used.
-    fn lost(&mut self, module: usize, name: &'a ast::Name) {
+    /// A name that could not be imported from the library stands for what the library has by this name, else for
+    /// nothing; either way it is not missed again where it is used.
+    fn lost(&mut self, module: usize, name: &'a ast::Name, library: bool) {
         let found = self.modules.iter().find_map(|scope| match scope.public.get(name.text.as_str()) {
-            Some(symbol) if !scope.name.is_empty() => Some(*symbol),
+            Some(symbol) if library && scope.is_library() => Some(*symbol),
             _ => None,
         });
         let import = Import { symbol: found.unwrap_or(Symbol::Lost), span: name.span, used: true };
@@ -146,9 +164,9 @@ impl<'a> Checker<'a> {
     }
 
     fn import_name(&mut self, module: usize, from: usize, name: &'a ast::Name) {
-        let Some(symbol) = self.modules[from].public.get(name.text.as_str()).copied() else {
-            self.no_such_export(from, name);
-            self.lost(module, name);
+        let Some(symbol) = self.exported(from, name) else {
+            let library = self.modules[from].is_library();
+            self.lost(module, name, library);
             return;
         };
         let scope = &self.modules[module];
@@ -171,72 +189,15 @@ impl<'a> Checker<'a> {
         self.modules[module].imports.insert(&name.text, import);
     }
 
-    fn no_such_export(&mut self, from: usize, name: &ast::Name) {
-        let scope = &self.modules[from];
-        let message = if scope.own.contains_key(name.text.as_str()) {
-            format!("`{}` of `std.{}` is not public", name.text, scope.name)
-        } else {
-            format!("`std.{}` has no `{}`", scope.name, name.text)
-        };
-        let mut diagnostic = Diagnostic::new(Code::E0304, name.span, message).label("not there");
-        let has = |other: &&ModuleScope<'_>| {
-            !other.name.is_empty() && other.public.contains_key(name.text.as_str())
-        };
-        if let Some(other) = self.modules.iter().find(has) {
-            diagnostic = match other.name {
-                "prelude" => {
-                    diagnostic.hint(format!("`{}` is known everywhere: it needs no import", name.text))
-                }
-                module => diagnostic.hint(format!("`{}` is in `std.{module}`", name.text)),
-            };
-        } else if let Some(candidate) = closest(&name.text, scope.public.keys().copied()) {
-            diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), name.span, candidate);
-        } else {
-            let names: Vec<&str> = scope.public.keys().copied().collect();
-            diagnostic = diagnostic.note(format!("it has {}", names.join(", ")));
-        }
-        self.report(diagnostic);
-    }
-
-    fn find_module(&mut self, path: &ast::ModulePath) -> Option<usize> {
-        let names = match path {
-            ast::ModulePath::Library(names) => names,
-            ast::ModulePath::File(text) => {
-                let message = "designs of several files are not available yet";
-                let diagnostic = Diagnostic::new(Code::E0001, text.span, message).label("imports a file");
-                self.report(diagnostic.hint("put what this file needs into the same file"));
-                return None;
-            }
-        };
-        let dotted: Vec<&str> = names.iter().map(|name| name.text.as_str()).collect();
-        if let ["std", module] = dotted.as_slice()
-            && let Some(found) =
-                self.modules.iter().position(|scope| scope.name == *module && *module != "prelude")
-        {
-            return Some(found);
-        }
-        let known: Vec<String> =
-            self.modules.iter().map(|scope| format!("std.{}", scope.name)).skip(2).collect();
-        let written = dotted.join(".");
-        let message = format!("there is no module `{written}`");
-        let mut diagnostic = Diagnostic::new(Code::E0303, path.span(), message).label("not a module");
-        diagnostic = match closest(&written, known.iter().map(String::as_str)) {
-            Some(candidate) => diagnostic.fix(format!("did you mean `{candidate}`?"), path.span(), candidate),
-            None => diagnostic.note(format!("the modules of the library are {}", known.join(", "))),
-        };
-        self.report(diagnostic);
-        None
-    }
-
-    /// Warns of imports of the design that nothing uses. Where there are errors nothing is said: what uses them may
+    /// Warns of imports of the project that nothing uses. Where there are errors nothing is said: what uses them may
     /// stand in what could not be understood.
     pub(super) fn warn_unused_imports(&mut self) {
         if self.diagnostics.has_errors() {
             return;
         }
-        let unused: Vec<(String, Span)> = self.modules[0]
-            .imports
-            .iter()
+        let own = self.modules.iter().filter(|scope| !scope.is_library());
+        let unused: Vec<(String, Span)> = own
+            .flat_map(|scope| &scope.imports)
             .filter(|(_, import)| !import.used)
             .map(|(name, import)| ((*name).to_owned(), import.span))
             .collect();

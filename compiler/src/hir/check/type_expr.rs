@@ -52,7 +52,8 @@ impl Checker<'_> {
         }
         let records =
             self.modules[module].own.keys().copied().filter(|name| name.starts_with(char::is_uppercase));
-        let library = self.modules.iter().flat_map(|scope| scope.public.keys().copied());
+        let library = self.modules.iter().filter(|scope| scope.is_library());
+        let library = library.flat_map(|scope| scope.public.keys().copied());
         let library = library.filter(|name| name.starts_with(char::is_uppercase));
         let mut known: Vec<String> = Dimension::names().map(str::to_owned).collect();
         known.extend(PLAIN.iter().map(|(known, _)| (*known).to_owned()));

@@ -187,9 +187,9 @@ impl<'a> Evaluator<'a> {
     }
 
     fn report(&mut self, mut diagnostic: Diagnostic) -> Stop {
-        let root = self.hir.root;
-        if diagnostic.span.file != root
-            && let Some(call) = self.calls.iter().rev().find(|call| call.file == root)
+        let own = |span: &Span| !self.hir.is_library(span.file);
+        if !own(&diagnostic.span)
+            && let Some(call) = self.calls.iter().rev().find(|call| own(call))
         {
             // What goes wrong inside the library is the matter of the line that called it.
             let inside = std::mem::replace(&mut diagnostic.span, *call);

@@ -27,7 +27,7 @@ impl Lowering<'_, '_> {
             }
             warned.push(span);
             // An ifs of the library is as it should be: what it is given here is not.
-            let own = span.file == self.hir.root;
+            let own = !self.hir.is_library(span.file);
             let at = if own { span } else { self.hir.item(item).name_span };
             self.warn_of_contraction(automaton, state, &verdict, at);
         }

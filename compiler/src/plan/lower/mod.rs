@@ -48,7 +48,7 @@ pub fn lower<'h>(
         Lowering { hir, evaluator, states: States::default(), diagnostics: Vec::new(), failed: false };
     let mut figures = Vec::new();
     // An ifs is checked for all its parameters before a figure asks for some of them: one mistake, said once.
-    for (id, _) in hir.own_items().filter(|(_, item)| matches!(item.kind, ItemKind::Ifs(_))) {
+    for (id, _) in hir.project_items().filter(|(_, item)| matches!(item.kind, ItemKind::Ifs(_))) {
         lowering.evaluator.check_symbolically(id);
     }
     for (id, item) in hir.own_items() {
@@ -58,6 +58,12 @@ pub fn lower<'h>(
                 lowering.failed |= lowering.evaluator.global(id).is_err()
             }
             _ => {}
+        }
+    }
+    // A figure of another file is a figure of the design where the design makes something of it.
+    for block in &hir.fabricates {
+        if hir.item(block.figure).name_span.file != hir.root {
+            figures.extend(lowering.figure(block.figure, overrides));
         }
     }
     let lowered = lowering.plan(figures);

@@ -1,0 +1,98 @@
+//! What is said of files that cannot be read.
+
+use super::paths::PathFault;
+use super::{MOST_BYTES, MOST_FILES};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::source::{FileId, ReadError, Span};
+use crate::syntax::ast::TextLiteral;
+
+/// The design's own file cannot be read.
+pub(super) fn unreadable_design(path: &str, error: &ReadError, file: FileId) -> Diagnostic {
+    let message = format!("`{path}` cannot be read: {}", why(error));
+    Diagnostic::new(Code::E0306, Span::new(file, 0, 0), message).hint("is the path right?")
+}
+
+/// A file that is used cannot be read; `path` is where it was looked for.
+pub(super) fn unreadable(written: &TextLiteral, path: &str, error: &ReadError) -> Diagnostic {
+    let message = format!("`{path}` cannot be read: {}", why(error));
+    let diagnostic = Diagnostic::new(Code::E0306, written.span, message);
+    match error {
+        ReadError::NotFound => {
+            let diagnostic = diagnostic.label("no such file");
+            if path.ends_with(".ifs") {
+                diagnostic.hint("is the path right? It starts at the file in which it stands")
+            } else {
+                diagnostic.hint(format!("the name of a file has its ending: `{}.ifs`", written.value))
+            }
+        }
+        ReadError::OutsideRoot => diagnostic.label("outside of the project").hint(INSIDE),
+        ReadError::Other(_) => diagnostic.label("cannot be read"),
+    }
+}
+
+const INSIDE: &str = "move the file into the project's folder; a project is the folder of the nearest `ifs.toml`, \
+                      else the folder of the design";
+
+fn why(error: &ReadError) -> String {
+    match error {
+        ReadError::NotFound => "there is no such file".to_owned(),
+        ReadError::OutsideRoot => "it lies outside of the project".to_owned(),
+        ReadError::Other(why) => why.clone(),
+    }
+}
+
+/// A path that leads to no file of the project.
+pub(super) fn no_path(written: &TextLiteral, fault: &PathFault) -> Diagnostic {
+    let shown: String = written
+        .value
+        .chars()
+        .flat_map(|c| if c.is_control() { c.escape_debug().collect() } else { vec![c] })
+        .collect();
+    let refused = |why: &str| {
+        let message = format!("`{shown}` {why}");
+        Diagnostic::new(Code::E0310, written.span, message).label("not a path of the project")
+    };
+    match fault {
+        PathFault::NoFile => refused("names no file").hint("name one: `\"./ribs.ifs\"`"),
+        PathFault::Control => refused("has a control character in it").hint("remove it"),
+        PathFault::Absolute => {
+            let diagnostic = refused("starts at the root of the system, not in the project");
+            diagnostic.hint("write the path from the file in which it stands: `\"./ribs.ifs\"`")
+        }
+        PathFault::Backslash => {
+            let path = written.value.replace('\\', "/");
+            let diagnostic = refused("parts its folders with `\\`: a path has `/` on every system");
+            diagnostic.fix(format!("write `\"{path}\"`"), written.span, format!("\"{path}\""))
+        }
+        PathFault::Outside => {
+            let message = format!("`{shown}` cannot be read: it lies outside of the project");
+            let diagnostic = Diagnostic::new(Code::E0306, written.span, message);
+            diagnostic.label("outside of the project").hint(INSIDE)
+        }
+    }
+}
+
+/// A file that is not UTF-8 from the byte `at` on.
+pub(super) fn no_text(file: FileId, at: usize, byte: u8) -> Diagnostic {
+    let place = u32::try_from(at).unwrap_or(u32::MAX);
+    let message = format!("the file is not UTF-8 text: byte {at} is 0x{byte:02x}");
+    Diagnostic::new(Code::E0101, Span::new(file, place, place), message)
+        .label("up to here it is text")
+        .hint("save it as UTF-8; is it really a design?")
+}
+
+/// More files than the limit.
+pub(super) fn too_many_files(written: &TextLiteral) -> Diagnostic {
+    let message = format!("the design is made of more than {MOST_FILES} files");
+    Diagnostic::new(Code::E0312, written.span, message)
+        .label("one too many")
+        .hint("put some of them together")
+}
+
+/// More bytes than the limit.
+pub(super) fn too_many_bytes(written: &TextLiteral) -> Diagnostic {
+    let limit = MOST_BYTES >> 20;
+    let message = format!("the files of the design have more than {limit} MiB together");
+    let hint = "a design is a text of some pages: leave out what it does not need";
+    Diagnostic::new(Code::E0312, written.span, message).label("too much with this one").hint(hint)
+}

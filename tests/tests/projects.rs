@@ -1,0 +1,130 @@
+//! Designs of several files as a user has them on disk: where they may lie, what is said of them and under which names,
+//! and that what is built depends on nothing but the project.
+#![allow(clippy::disallowed_methods, reason = "the tests start programs and write what they read")]
+#![allow(clippy::unwrap_used, reason = "a test may fail anywhere")]
+
+use std::fs;
+use std::path::Path;
+
+use ifs_tests::designs::{assert_same, contents};
+use ifs_tests::outcome::{run, run_with};
+use ifs_tests::{program, scratch};
+use serde_json::Value;
+
+const DESIGN: &str = "use \"../parts/ribs.ifs\" (rib)\nfigure arch = rib(3m)\n";
+const RIBS: &str = "use std.curves (bezier2)\nuse \"./sizes.ifs\" (rise)\n/// A rib.\npub fn rib(span: Length) \
+                    -> Curve = bezier2 on ((0m, 0m), (span / 2, rise), (span, 0m)) at level 3\n";
+const SIZES: &str = "pub param rise: Length = 2m in 1m .. 4m\n";
+
+/// A project of three files, marked by an `ifs.toml`.
+fn project(folder: &Path) {
+    fs::create_dir_all(folder.join("designs")).unwrap();
+    fs::create_dir_all(folder.join("parts")).unwrap();
+    fs::write(folder.join("ifs.toml"), "").unwrap();
+    fs::write(folder.join("designs/arch.ifs"), DESIGN).unwrap();
+    fs::write(folder.join("parts/ribs.ifs"), RIBS).unwrap();
+    fs::write(folder.join("parts/sizes.ifs"), SIZES).unwrap();
+}
+
+#[test]
+fn a_project_builds_the_same_wherever_it_lies_and_whoever_calls() {
+    let folder = scratch("project-same");
+    let (here, there) = (folder.join("here"), folder.join("there/deeper"));
+    project(&here);
+    project(&there);
+    let build = |from: &Path, design: &str| {
+        run(program().current_dir(from).args(["build", design, "-o", "made"])).good();
+        contents(&from.join("made"))
+    };
+    let set = build(&here, "designs/arch.ifs");
+    assert_same(&set, &build(&here.join("designs"), "arch.ifs"), "from another folder");
+    assert_same(&set, &build(&there.join("parts"), "../designs/./arch.ifs"), "a copy elsewhere");
+    let manifest: Value = serde_json::from_slice(&set["manifest.json"]).unwrap();
+    let sources: Vec<&str> = manifest["sources"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|source| source["path"].as_str().unwrap())
+        .collect();
+    assert_eq!(sources, ["designs/arch.ifs", "parts/ribs.ifs", "parts/sizes.ifs"]);
+}
+
+#[test]
+fn every_file_counts_for_the_hash_of_the_design() {
+    let folder = scratch("project-hash");
+    project(&folder);
+    let program_of = || {
+        let design = folder.join("designs/arch.ifs");
+        fs::write(&design, format!("{DESIGN}use std.materials (sawn_spruce)\nuse std.machines (router3)\nfabricate arch as planks {{ material: sawn_spruce section: 60mm by 27mm stock: 4m ends: square machine: router3(tool: 8mm) }}\n")).unwrap();
+        run(program().current_dir(&folder).args(["build", "designs/arch.ifs", "-o", "made"])).good();
+        let set = contents(&folder.join("made"));
+        let (_, text) = set.iter().find(|(name, _)| name.ends_with(".nc")).unwrap();
+        String::from_utf8(text.clone()).unwrap()
+    };
+    let before = program_of();
+    fs::write(folder.join("parts/sizes.ifs"), format!("{SIZES}// a word\n")).unwrap();
+    let after = program_of();
+    assert_ne!(before, after, "the header names the hash of all files");
+}
+
+#[test]
+fn files_are_named_from_where_the_design_was_named() {
+    let folder = scratch("project-names");
+    project(&folder);
+    fs::write(folder.join("parts/sizes.ifs"), "pub let rise = 2m + 1deg\n").unwrap();
+    for (from, design, shown) in [
+        ("", "designs/arch.ifs", "parts/sizes.ifs"),
+        ("designs", "arch.ifs", "../parts/sizes.ifs"),
+        ("parts", "../designs/arch.ifs", "../parts/sizes.ifs"),
+    ] {
+        let done =
+            run(program().current_dir(folder.join(from)).args(["check", design, "--message-format", "json"]));
+        assert_eq!(done.code, Some(1), "{done:?}");
+        let found: Value = serde_json::from_str(&done.stdout).unwrap();
+        assert_eq!(found["code"], "E0402");
+        assert_eq!(found["at"]["file"], shown);
+        assert_eq!(found["at"]["line"], 1);
+    }
+    let whole = folder.join("designs/arch.ifs");
+    run(program().arg("check").arg(&whole)).failed(1, &["E0402", "parts/sizes.ifs:1:"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_outside_of_the_project_is_read() {
+    use std::os::unix::fs::symlink;
+    let folder = scratch("project-outside");
+    let inside = folder.join("project");
+    project(&inside);
+    fs::write(folder.join("secret.ifs"), "pub fn rib(span: Length) -> Length = span\n").unwrap();
+    let check = |text: &str| {
+        fs::write(inside.join("designs/arch.ifs"), text).unwrap();
+        run(program().arg("check").arg(inside.join("designs/arch.ifs")))
+    };
+    symlink(folder.join("secret.ifs"), inside.join("parts/link.ifs")).unwrap();
+    symlink(&folder, inside.join("up")).unwrap();
+    for path in ["../../secret.ifs", "../parts/link.ifs", "../up/secret.ifs"] {
+        check(&format!("use \"{path}\" (rib)\n")).failed(3, &["E0306", "outside of the project"]);
+    }
+    check("use \"../parts\" (rib)\n").failed(3, &["E0306", "it is a folder"]);
+    assert!(
+        std::process::Command::new("mkfifo").arg(inside.join("parts/pipe.ifs")).status().unwrap().success()
+    );
+    check("use \"../parts/pipe.ifs\" (rib)\n").failed(3, &["E0306", "no ordinary file"]);
+    fs::write(inside.join("parts/latin.ifs"), b"pub let a = \"\xfc\"\n").unwrap();
+    check("use \"../parts/latin.ifs\" (a, lost)\nlet b = [a, lost]\n")
+        .failed(1, &["E0101", "parts/latin.ifs", "1 error\n"]);
+
+    // A link to a file of the project is that file.
+    symlink(inside.join("parts/sizes.ifs"), inside.join("parts/same.ifs")).unwrap();
+    fs::write(inside.join("parts/sizes.ifs"), "pub record Size { a: Length }\npub let one = Size(a: 1m)\n")
+        .unwrap();
+    run_with(
+        program().args(["check", "-"]).current_dir(inside.join("designs")),
+        b"use \"../parts/sizes.ifs\" (Size)\nuse \"../parts/same.ifs\" (one)\nlet a: Size = one\n",
+    )
+    .good();
+    // The design itself is read from where it was named, also through a link.
+    symlink(inside.join("parts/sizes.ifs"), folder.join("linked.ifs")).unwrap();
+    run(program().arg("check").arg(folder.join("linked.ifs"))).good();
+}
