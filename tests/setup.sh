@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs by package name what the tests need beside Rust: the foreign referees of what ifs writes.
-#   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv
+#   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv, g++, libosd-dev (OpenSubdiv, into target/referees)
 #   npm     gltf-validator                             into tests/referees/node_modules
 #   PyPI    geomdl numpy scipy shapely trimesh         into target/referees
 # Quick when everything is there. As root on Debian it installs packages; otherwise it says which are missing and fails.
@@ -20,6 +20,8 @@ install_debian_packages() {
     command -v node >/dev/null || missing+=(nodejs)
     command -v npm >/dev/null || missing+=(npm)
     command -v cc >/dev/null || missing+=(gcc libc6-dev)
+    command -v g++ >/dev/null || missing+=(g++)
+    [ -e /usr/include/opensubdiv/far/primvarRefiner.h ] || missing+=(libosd-dev)
     python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3 python3-venv)
     [ ${#missing[@]} -gt 0 ] || return 0
     if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null; then
@@ -51,8 +53,16 @@ install_python_packages() {
     cp $list $here/.installed
 }
 
+build_opensubdiv() {
+    local source=tests/referees/opensubdiv.cpp program=target/referees/opensubdiv
+    is_current $source $program.cpp $program && return 0
+    g++ -O1 -o $program $source -losdCPU
+    cp $source $program.cpp
+}
+
 install_debian_packages
 install_npm_packages
 install_python_packages
+build_opensubdiv
 echo "referees: $(node -p 'const p = require("./tests/referees/node_modules/gltf-validator/package.json"); p.name + " " + p.version'), $(
     grep -v '^#' tests/referees/requirements.txt | paste -sd' '), rs274 $(command -v rs274)"

@@ -47,6 +47,14 @@ pub fn gltf_validator(files: &[&Path]) -> Verdict {
     verdict("glb.mjs", command)
 }
 
+/// The program that refines nets with OpenSubdiv.
+///
+/// # Panics
+/// It is not built.
+pub fn opensubdiv() -> PathBuf {
+    installed("target/referees/opensubdiv")
+}
+
 fn installed(path: &str) -> PathBuf {
     let path = root().join(path);
     assert!(path.exists(), "{} is missing: run tests/setup.sh", path.display());
