@@ -7,13 +7,16 @@ mod convert;
 mod expression;
 mod fabricate;
 mod fields;
+mod germ;
 mod ifs;
 mod items;
+mod map;
 mod names;
 mod native;
 mod operator;
 mod placement;
 mod scope;
+mod transform;
 mod type_expr;
 
 use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId};

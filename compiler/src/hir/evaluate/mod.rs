@@ -5,13 +5,16 @@ mod budget;
 mod combination;
 mod conversion;
 mod expression;
+mod germ;
 mod instance;
 mod list;
+mod map;
 mod native;
 mod operator;
 mod overrides;
 mod placement;
 mod symbolic;
+mod transform;
 
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
 pub use expression::{quantity_words, words};
@@ -61,6 +64,8 @@ pub struct Evaluator<'a> {
     sums: BTreeMap<Span, Vec<Span>>,
     /// Sums found to be neither points nor vectors where one was needed; what is made of them is wrong for their sake.
     wrong_sums: BTreeSet<Span>,
+    /// Whether a rounded number went into the weights of the ifs being worked out.
+    rounded: bool,
 }
 
 /// An ifs used where its pieces must join.
@@ -110,6 +115,7 @@ impl<'a> Evaluator<'a> {
             open: BTreeSet::new(),
             sums: BTreeMap::new(),
             wrong_sums: BTreeSet::new(),
+            rounded: false,
         }
     }
 

@@ -50,6 +50,7 @@ impl Evaluator<'_> {
             (Value::Scalar(factor), Value::Combination(b)) => {
                 self.scale(b, factor, false, left_expr.span.to(span))
             }
+            (Value::Map(map), thing) => self.mapped(map, (right_expr, thing), span),
             _ => Err(Stop::Reported),
         }
     }
