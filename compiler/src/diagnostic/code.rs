@@ -105,6 +105,14 @@ codes! {
     W0508 Warning "the transforms do not contract: there is no limit figure",
     W0509 Warning "the contraction could not be proved",
     E0510 Error "a control net of the wrong shape",
+    E0530 Error "plane and space do not mix in a map",
+    E0531 Error "an ifs used in a way that is not that of its space",
+    E0532 Error "a germ that does not lie in the space of its ifs",
+    E0533 Error "an ifs without the germ it is to find itself",
+    E0534 Error "a family of transforms that cannot be counted out",
+    E0535 Error "a germ whose shape or measure is impossible",
+    E0536 Error "arguments that make no map",
+    E0537 Error "a transform of the plane or of space that continues with nothing",
 
     // Values.
     E0601 Error "a parameter out of its range",

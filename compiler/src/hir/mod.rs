@@ -5,6 +5,7 @@ mod check;
 pub mod dimension;
 pub mod evaluate;
 mod library;
+pub mod map;
 pub mod native;
 pub mod scalar;
 pub mod schema;

@@ -47,6 +47,16 @@ pub enum Native {
     WithLength,
     Perpendicular,
     Text,
+    Translate,
+    Rotate,
+    Turn,
+    Scale,
+    Mirror,
+    Affine,
+    Point,
+    Polygon,
+    Quad,
+    Strut,
 }
 
 /// What a parameter takes.
@@ -82,6 +92,10 @@ pub enum Takes {
     Ifs,
     /// A grid of points.
     Net,
+    /// A length, or a vector.
+    LengthOrVector,
+    /// Points one by one, or one list of them.
+    Vertices,
     /// `u`, `v` or `both`.
     Closed,
 }
@@ -97,11 +111,18 @@ impl Takes {
             Takes::Point => Some(Type::Point(PointSpace::Any)),
             Takes::Vector => Some(Type::Vector(PointSpace::Any)),
             Takes::Points => Some(list(Type::Point(PointSpace::Any))),
+            Takes::Vertices => Some(list(Type::Point(PointSpace::Any))),
             Takes::Ifs => Some(Type::Ifs),
             Takes::Net => Some(list(list(Type::Point(PointSpace::Space)))),
             Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
-            Takes::Quantity | Takes::QuantityOrList | Takes::Quantities | Takes::List => None,
-            Takes::Summands | Takes::Lists | Takes::Plain => None,
+            Takes::Quantity
+            | Takes::QuantityOrList
+            | Takes::Quantities
+            | Takes::Summands
+            | Takes::List
+            | Takes::Lists
+            | Takes::Plain
+            | Takes::LengthOrVector => None,
         }
     }
 }
@@ -238,6 +259,93 @@ pub const NATIVES: &[NativeDeclaration] = &[
         ],
         "the tensor product on every window of a larger net, joined",
     ),
+    native(
+        Native::Translate,
+        "prelude",
+        "translate",
+        &[needs("dx", Takes::LengthOrVector), may("dy", Takes::Length), may("dz", Takes::Length)],
+        "the map that moves by two lengths in the plane, by three in space, or by a vector",
+    ),
+    native(
+        Native::Rotate,
+        "prelude",
+        "rotate",
+        &[needs("angle", Takes::Angle), may("about", Takes::Point)],
+        "the map that turns the plane anticlockwise about the origin, or about a point",
+    ),
+    native(
+        Native::Turn,
+        "prelude",
+        "turn",
+        &[needs("axis", Takes::Vector), needs("angle", Takes::Angle), may("about", Takes::Point)],
+        "the map that turns space about an axis (x, y, z or any vector) through the origin or a point, \
+         anticlockwise for an eye that the axis points to",
+    ),
+    native(
+        Native::Scale,
+        "prelude",
+        "scale",
+        &[
+            needs("kx", Takes::Number),
+            may("ky", Takes::Number),
+            may("kz", Takes::Number),
+            may("about", Takes::Point),
+        ],
+        "the map that scales by one factor, or by a factor for each axis, about the origin or a point",
+    ),
+    native(
+        Native::Mirror,
+        "prelude",
+        "mirror",
+        &[needs("along", Takes::Vector), may("about", Takes::Point)],
+        "the map that mirrors along a direction: `mirror(x)` turns right into left; what lies square to the \
+         direction through the origin, or through a point, stays",
+    ),
+    native(
+        Native::Affine,
+        "prelude",
+        "affine",
+        &[
+            needs("a", Takes::Number),
+            needs("b", Takes::Number),
+            needs("c", Takes::Number),
+            needs("d", Takes::Number),
+            may("e", Takes::Number),
+            may("f", Takes::Number),
+            may("g", Takes::Number),
+            may("h", Takes::Number),
+            may("i", Takes::Number),
+        ],
+        "the linear map with this matrix, row by row: four numbers in the plane (x' = a x + b y, \
+         y' = c x + d y), nine in space",
+    ),
+    native(Native::Point, "prelude", "point", &[needs("p", Takes::Point)], "the germ that draws one point"),
+    native(
+        Native::Polygon,
+        "prelude",
+        "polygon",
+        &[needs("points", Takes::Vertices)],
+        "the germ that draws a face with these corners: three points or more, or a list of them",
+    ),
+    native(
+        Native::Quad,
+        "prelude",
+        "quad",
+        &[
+            needs("p", Takes::Point),
+            needs("q", Takes::Point),
+            needs("r", Takes::Point),
+            needs("s", Takes::Point),
+        ],
+        "the germ that draws a face with four corners, one after the other around it",
+    ),
+    native(
+        Native::Strut,
+        "prelude",
+        "strut",
+        &[needs("start", Takes::Point), needs("end", Takes::Point), needs("width", Takes::Length)],
+        "the germ that draws a bar with a square section between two points",
+    ),
 ];
 
 /// Names that the language has but the program not yet, with the module they belong to.
@@ -248,16 +356,7 @@ pub const LATER: &[(&str, &str)] = &[
     ("surfaces", "projective_sum"),
     ("surfaces", "revolution"),
     ("prelude", "weighted"),
-    ("prelude", "quad"),
-    ("prelude", "polygon"),
-    ("prelude", "point"),
-    ("prelude", "strut"),
     ("prelude", "import"),
-    ("prelude", "translate"),
-    ("prelude", "rotate"),
-    ("prelude", "turn"),
-    ("prelude", "scale"),
-    ("prelude", "affine"),
     ("prelude", "plane"),
     ("prelude", "cut"),
 ];

@@ -3,7 +3,8 @@
 use super::native::Native;
 use super::scalar::Scalar;
 use super::schema::{ChoiceKind, Measure, SchemaKind};
-use super::types::Type;
+use super::types::{PointSpace, Type};
+use super::value::OwnGerm;
 use crate::source::{FileId, Span};
 use crate::syntax::ast::Comparison;
 
@@ -126,12 +127,15 @@ pub struct Field {
     pub default: Option<Body>,
 }
 
-/// An iterated function system on control points.
+/// An iterated function system.
 #[derive(Clone, Debug)]
 pub struct Ifs {
     /// Its parameters; their slots are the first ones.
     pub parameters: Vec<Field>,
-    /// The names of its control points; their slots follow the parameters'.
+    /// The plane, space, or its control points.
+    pub space: PointSpace,
+    /// The names of its control points, whose slots follow the parameters'; in the plane and in space, of the points of
+    /// its frame, which have no slots.
     pub control_points: Vec<String>,
     /// Its named points in order, each with its slot.
     pub lets: Vec<(LocalId, Expr)>,
@@ -152,12 +156,39 @@ pub struct Transform {
     pub name: String,
     /// Where the name stands.
     pub name_span: Span,
-    /// The ifs it continues with.
-    pub target: Expr,
-    /// The images of the target's control points.
-    pub points: Vec<Expr>,
-    /// Where the images stand.
-    pub points_span: Span,
+    /// The slot of the index and what it runs through, for a family.
+    pub family: Option<(LocalId, Expr)>,
+    /// What it continues with, and where.
+    pub image: Image,
+}
+
+/// What a transform continues with, and where.
+#[derive(Clone, Debug)]
+pub enum Image {
+    /// `self on (p, q)`: the images of the target's control points.
+    Points {
+        /// The ifs it continues with.
+        target: Expr,
+        /// The images of the target's control points.
+        points: Vec<Expr>,
+        /// Where the images stand.
+        span: Span,
+    },
+    /// `map * self`: an ifs of the plane or of space, mapped.
+    Mapped(Expr),
+    /// `if c then … else …`
+    If(Expr, Box<Image>, Box<Image>),
+}
+
+impl Image {
+    /// Where the images stand, or the whole expression.
+    pub fn span(&self) -> Span {
+        match self {
+            Image::Points { span, .. } => *span,
+            Image::Mapped(value) => value.span,
+            Image::If(condition, _, no) => condition.span.to(no.span()),
+        }
+    }
 }
 
 /// A fabricate block.
@@ -239,7 +270,9 @@ pub enum ExprKind {
     /// An ifs with its arguments, in order.
     Ifs(ItemId, Vec<Expr>),
     /// The ifs around, with its own arguments.
-    SelfIfs,
+    SelfIfs(ItemId),
+    /// `limit` or `control`, inside of an ifs.
+    OwnGerm(OwnGerm),
     /// A function of the language, arguments in order.
     Call(ItemId, Vec<Expr>),
     /// A function of the program, arguments in order.

@@ -40,6 +40,8 @@ pub enum Type {
     IntRange,
     /// `2500mm by 1250mm`
     Size,
+    /// An affine map.
+    Map(PointSpace),
     /// An iterated function system, not placed yet.
     Ifs,
     /// What an ifs draws at its last level.
@@ -98,6 +100,7 @@ impl Type {
             (Type::List(a), Type::List(b)) => Some(Type::List(Box::new(a.join(b)?))),
             (Type::Point(a), Type::Point(b)) => Some(Type::Point(a.join(*b)?)),
             (Type::Vector(a), Type::Vector(b)) => Some(Type::Vector(a.join(*b)?)),
+            (Type::Map(a), Type::Map(b)) => Some(Type::Map(a.join(*b)?)),
             (a, b) if a.is_figure() && b.is_figure() => Some(Type::Figure),
             (a, b) => {
                 let space = a.point_space()?.join(b.point_space()?)?;
@@ -113,6 +116,36 @@ impl Type {
 }
 
 impl PointSpace {
+    /// How many coordinates a point has, where that is known.
+    pub fn coordinates(self) -> Option<usize> {
+        match self {
+            PointSpace::Plane => Some(2),
+            PointSpace::Space => Some(3),
+            PointSpace::Control | PointSpace::Any => None,
+        }
+    }
+
+    /// A thing of this space in words: `a map of the plane`.
+    pub fn thing(self, what: &str) -> String {
+        match self {
+            PointSpace::Plane => format!("a {what} of the plane"),
+            PointSpace::Space => format!("a {what} in space"),
+            PointSpace::Control if what == "point" => "a combination of control points".to_owned(),
+            PointSpace::Control => format!("a {what} between control points"),
+            PointSpace::Any => format!("a {what}"),
+        }
+    }
+
+    /// Where an ifs of this space lives, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            PointSpace::Plane => "in the plane",
+            PointSpace::Space => "in space",
+            PointSpace::Control => "on control points",
+            PointSpace::Any => "in the plane or in space",
+        }
+    }
+
     /// The space of both, `None` where they differ.
     pub fn join(self, other: PointSpace) -> Option<PointSpace> {
         match (self, other) {

@@ -1,5 +1,6 @@
 //! Values: what expressions become. Immutable and cheap to copy.
 
+use super::map::Map;
 use super::scalar::Scalar;
 use super::schema::ChoiceKind;
 use super::tree::ItemId;
@@ -23,10 +24,14 @@ pub enum Value {
     Range(i64, i64),
     /// A length by a width, mm.
     Size(Scalar, Scalar),
+    /// An affine map.
+    Map(Arc<Map>),
     /// An ifs, not placed yet.
     Ifs(Arc<IfsValue>),
     /// What an ifs draws.
     Germ(Arc<Germ>),
+    /// A germ that the ifs around finds itself, from its transforms or its control points.
+    OwnGerm(OwnGerm),
     /// A figure.
     Figure(Arc<Figure>),
     /// A record, its fields in order.
@@ -73,6 +78,8 @@ pub enum IfsValue {
     Instance(Instance),
     /// The product of two.
     Tensor(Instance, Instance),
+    /// The image of an ifs of the plane or of space under a map.
+    Mapped(Arc<Map>, Instance),
 }
 
 /// A declared ifs with its arguments: a state of the automaton.
@@ -82,6 +89,15 @@ pub struct Instance {
     pub ifs: ItemId,
     /// Its arguments in order.
     pub arguments: Vec<Value>,
+}
+
+/// A germ that an ifs finds itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OwnGerm {
+    /// `limit`: the segment between the points that the first and the last transform keep.
+    Limit,
+    /// `control`: the segment between the two control points in the middle.
+    Control,
 }
 
 /// What an ifs draws.

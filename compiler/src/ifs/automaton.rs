@@ -100,6 +100,9 @@ pub struct State {
     pub keep: Vec<Germ>,
     /// What its points mean.
     pub space: StateSpace,
+    /// Whether a number in its weights is rounded, such as the cosine of most angles: exact proofs then hold for the
+    /// rounded numbers only.
+    pub rounded: bool,
     /// Its named boundaries.
     pub boundaries: Vec<Boundary>,
     /// The joins that are stated of it.
@@ -111,7 +114,17 @@ impl State {
     pub fn new(name: String, control_points: usize, transforms: Vec<Transform>, germ: Germ) -> State {
         let (keep, boundaries, stated_joins) = (Vec::new(), Vec::new(), Vec::new());
         let space = StateSpace::Control;
-        State { name, control_points, transforms, germ, keep, space, boundaries, stated_joins }
+        State {
+            name,
+            control_points,
+            transforms,
+            germ,
+            keep,
+            space,
+            rounded: false,
+            boundaries,
+            stated_joins,
+        }
     }
 }
 

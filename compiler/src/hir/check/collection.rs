@@ -71,7 +71,7 @@ impl Checker<'_> {
         Expr { kind: ExprKind::Comprehension(Box::new(body), checked), ty, span }
     }
 
-    fn iterated(&mut self, over: &Expr) -> Type {
+    pub(super) fn iterated(&mut self, over: &Expr) -> Type {
         match &over.ty {
             Type::IntRange => Type::Int,
             Type::List(element) => (**element).clone(),

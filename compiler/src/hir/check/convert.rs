@@ -23,6 +23,14 @@ impl Checker<'_> {
     }
 
     pub(super) fn convert(&mut self, value: Expr, expected: &Type) -> Expr {
+        if value.ty == Type::Ifs
+            && expected.is_figure()
+            && self.ifs_space(&value) != Some(PointSpace::Control)
+        {
+            // An ifs of the plane or of space stands where it is; whether it is one is seen when it is evaluated.
+            let span = value.span;
+            return Expr { kind: ExprKind::Convert(Box::new(value)), ty: expected.clone(), span };
+        }
         match self.fit(&value.ty, expected) {
             Fit::Yes => value,
             Fit::Checked => {
@@ -41,7 +49,9 @@ impl Checker<'_> {
             (Type::Error, _) | (_, Type::Error) => Fit::Yes,
             (a, b) if a == b => Fit::Yes,
             (Type::Int, Type::Quantity(Dimension::NUMBER)) => Fit::Yes,
-            (Type::Point(a), Type::Point(b)) | (Type::Vector(a), Type::Vector(b)) => match a.join(*b) {
+            (Type::Point(a), Type::Point(b))
+            | (Type::Vector(a), Type::Vector(b))
+            | (Type::Map(a), Type::Map(b)) => match a.join(*b) {
                 Some(_) => Fit::Yes,
                 None => Fit::No,
             },

@@ -76,6 +76,11 @@ impl Checker<'_> {
         if let Some(Type::Choice(kind)) = expected {
             return self.word(*kind, name, span);
         }
+        if *expected.unwrap_or(&Type::Error) == Type::Germ
+            && let Some(germ) = self.own_germ(frame, name, span)
+        {
+            return germ;
+        }
         self.name(frame, name, span)
     }
 
@@ -94,8 +99,8 @@ impl Checker<'_> {
     }
 
     fn own_ifs(&mut self, frame: &Frame, span: Span) -> Expr {
-        if frame.own_ifs.is_some() {
-            return Expr { kind: ExprKind::SelfIfs, ty: Type::Ifs, span };
+        if let Some(id) = frame.own_ifs {
+            return Expr { kind: ExprKind::SelfIfs(id), ty: Type::Ifs, span };
         }
         let message = "`self` stands for the ifs around, and there is none here";
         let diagnostic = Diagnostic::new(Code::E0301, span, message).label("outside of an ifs");

@@ -2,16 +2,21 @@
 
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::tree::{Expr, ExprKind, Ifs, ItemId, ItemKind, Transform};
+use crate::hir::tree::{Expr, ExprKind, Ifs, ItemId, ItemKind};
 use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
 use crate::syntax::ast;
 
+/// The names of the points of an affine frame, for messages.
+const FRAME: [&str; 4] = ["origin", "x", "y", "z"];
+
 impl Checker<'_> {
     pub(super) fn ifs(&mut self, id: ItemId, module: usize, ifs: &ast::Ifs) -> ItemKind {
         let parameters = self.fields(id, module, &ifs.parameters);
-        let ast::Space::On(points, points_span) = &ifs.space else {
-            return self.later_space(&ifs.space);
+        let (space, points, points_span): (_, &[ast::ControlPoint], _) = match &ifs.space {
+            ast::Space::On(points, span) => (PointSpace::Control, points, *span),
+            ast::Space::Plane(span) => (PointSpace::Plane, &[], *span),
+            ast::Space::Space(span) => (PointSpace::Space, &[], *span),
         };
         let mut frame = Frame::new(module);
         frame.own_ifs = Some(id);
@@ -29,16 +34,20 @@ impl Checker<'_> {
         }
         let mut typed = Ifs {
             parameters,
-            control_points: points.iter().map(|point| point.name.text.clone()).collect(),
+            space,
+            control_points: match space.coordinates() {
+                Some(count) => FRAME[..=count].iter().map(|point| (*point).to_owned()).collect(),
+                None => points.iter().map(|point| point.name.text.clone()).collect(),
+            },
             lets: Vec::new(),
             transforms: Vec::new(),
             germ: None,
             keep: Vec::new(),
             slots: 0,
         };
-        if points.is_empty() {
+        if typed.control_points.is_empty() {
             let message = "an ifs needs at least one control point";
-            self.report(Diagnostic::new(Code::E0507, *points_span, message).label("no control points"));
+            self.report(Diagnostic::new(Code::E0507, points_span, message).label("no control points"));
         }
         // Its own control points must be known to the `on` of its own transforms.
         self.items[id.0 as usize].kind = ItemKind::Ifs(typed.clone());
@@ -48,19 +57,6 @@ impl Checker<'_> {
         self.complete(ifs, &typed);
         typed.slots = frame.slots;
         ItemKind::Ifs(typed)
-    }
-
-    fn later_space(&mut self, space: &ast::Space) -> ItemKind {
-        let (span, word) = match space {
-            ast::Space::Plane(span) => (*span, "in plane"),
-            ast::Space::Space(span) | ast::Space::On(_, span) => (*span, "in space"),
-        };
-        let message = format!("an ifs `{word}` is not available yet");
-        let diagnostic = Diagnostic::new(Code::E0001, span, message).label("a classical ifs");
-        self.report(
-            diagnostic.hint("an ifs `on (p0, p1, …)` is: transforms list the images of its control points"),
-        );
-        ItemKind::Broken
     }
 
     fn refuse_twice(&mut self, frame: &Frame, name: &ast::Name) {
@@ -111,60 +107,9 @@ impl Checker<'_> {
         );
     }
 
-    fn transform(&mut self, frame: &mut Frame, typed: &mut Ifs, transform: &ast::Transform) {
-        if let Some(first) = typed.transforms.iter().find(|other| other.name == transform.name.text) {
-            let message = format!("the transform `{}` is declared twice", transform.name.text);
-            let diagnostic =
-                Diagnostic::new(Code::E0302, transform.name.span, message).label("declared again here");
-            self.report(diagnostic.also(first.name_span, "first declared here"));
-        }
-        if let Some((name, _)) = &transform.family {
-            let message = "families of transforms are not available yet";
-            let diagnostic = Diagnostic::new(Code::E0001, name.span, message).label("an indexed family");
-            self.report(diagnostic.hint("write the transforms one by one"));
-            return;
-        }
-        let ast::ExprKind::On(target, placement) = &transform.value.kind else {
-            if transform.value.kind != ast::ExprKind::Error {
-                self.not_placed(frame, &transform.value);
-            }
-            return;
-        };
-        let target = self.expect(frame, target, &Type::Ifs);
-        let ast::Placement::Points(points, points_span) = placement else {
-            let message = "a transform lists the images of the control points in brackets";
-            let diagnostic =
-                Diagnostic::new(Code::E0503, transform.value.span, message).label("no list of points");
-            self.report(diagnostic.hint("write `self on (p, q, …)`"));
-            return;
-        };
-        let image = Type::Point(PointSpace::Control);
-        let points: Vec<Expr> = points.iter().map(|point| self.expect(frame, point, &image)).collect();
-        if points.iter().all(|point| point.ty != Type::Error) {
-            self.count_images(typed, &target, points.len(), *points_span);
-        }
-        typed.transforms.push(Transform {
-            name: transform.name.text.clone(),
-            name_span: transform.name.span,
-            target,
-            points,
-            points_span: *points_span,
-        });
-    }
-
-    fn not_placed(&mut self, frame: &mut Frame, value: &ast::Expr) {
-        let checked = self.expr(frame, value, None);
-        if checked.ty == Type::Error {
-            return;
-        }
-        let message = "a transform of an ifs on control points says where they go";
-        let diagnostic = Diagnostic::new(Code::E0503, value.span, message).label("no list of points");
-        self.report(diagnostic.hint("write `self on (p, q, …)`, one image for each control point"));
-    }
-
-    fn count_images(&mut self, typed: &Ifs, target: &Expr, given: usize, at: Span) {
+    pub(super) fn count_images(&mut self, typed: &Ifs, target: &Expr, given: usize, at: Span) {
         let (needed, name) = match &target.kind {
-            ExprKind::SelfIfs => (typed.control_points.len(), "self".to_owned()),
+            ExprKind::SelfIfs(_) => (typed.control_points.len(), "self".to_owned()),
             ExprKind::Ifs(id, _) => match &self.items[id.0 as usize].kind {
                 ItemKind::Ifs(ifs) => (ifs.control_points.len(), self.items[id.0 as usize].name.clone()),
                 _ => match &self.declared[id.0 as usize].item.kind {
@@ -199,7 +144,10 @@ impl Checker<'_> {
             let message = format!("`{}` has no transforms", ifs.name.text);
             let diagnostic =
                 Diagnostic::new(Code::E0507, ifs.name.span, message).label("made of no copies of itself");
-            self.report(diagnostic.hint("add `transform left = self on (…)`"));
+            self.report(diagnostic.hint(match typed.space {
+                PointSpace::Control => "add `transform left = self on (…)`",
+                _ => "add `transform left = scale(1/2) * self`",
+            }));
         }
         let attempted = ifs.members.iter().any(|member| matches!(member.kind, ast::MemberKind::Germ(_)));
         if typed.germ.is_none() && !attempted && !broken {

@@ -4,7 +4,7 @@ use super::scope::item_name;
 use super::{Checker, Frame, State};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::tree::{Body, Field, Function, Item, ItemId, ItemKind, Param};
-use crate::hir::types::Type;
+use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
 use crate::syntax::ast;
 
@@ -162,7 +162,12 @@ impl<'a> Checker<'a> {
             let message = format!("a figure is needed, but this is {is}");
             let mut diagnostic = Diagnostic::new(Code::E0401, figure.value.span, message).label(is);
             diagnostic = match ty {
-                Type::Ifs => diagnostic.hint("put the ifs on control points: `… on (p, q, …) at level 3`"),
+                Type::Ifs => match self.ifs_space(&body.value) {
+                    Some(PointSpace::Plane | PointSpace::Space) => {
+                        diagnostic.hint("say how deep it goes: `… at level 3`")
+                    }
+                    _ => diagnostic.hint("put the ifs on control points: `… on (p, q, …) at level 3`"),
+                },
                 _ => diagnostic.hint("a figure is an ifs on control points, or a list of such figures"),
             };
             self.report(diagnostic);

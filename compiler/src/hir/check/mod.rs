@@ -7,8 +7,10 @@ mod convert;
 mod expression;
 mod fabricate;
 mod fields;
+mod germ;
 mod ifs;
 mod items;
+mod map;
 mod modules;
 mod names;
 mod native;
@@ -16,6 +18,7 @@ mod native_values;
 mod operator;
 mod placement;
 mod scope;
+mod transform;
 mod type_expr;
 
 use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId};

@@ -66,7 +66,10 @@ impl Checker<'_> {
             }
             Some(Symbol::Later) => self.later(name, span),
             Some(Symbol::Lost) => error_expr(span),
-            None => self.unknown(frame, name, span, "let"),
+            None => match self.own_germ(frame, name, span) {
+                Some(germ) => germ,
+                None => self.unknown(frame, name, span, "let"),
+            },
         }
     }
 

@@ -18,13 +18,30 @@ impl Checker<'_> {
         at: Span,
         span: Span,
     ) -> Expr {
+        if native == Native::Polygon {
+            return self.polygon(frame, arguments, at, span);
+        }
+        self.native_by_parameters(frame, native, arguments, at, span)
+    }
+
+    pub(super) fn native_by_parameters(
+        &mut self,
+        frame: &mut Frame,
+        native: Native,
+        arguments: &[ast::Argument],
+        at: Span,
+        span: Span,
+    ) -> Expr {
         let declaration = native.declaration();
         let parameters: Vec<Parameter> = declaration
             .parameters
             .iter()
             .map(|parameter| Parameter {
                 name: parameter.name.to_owned(),
-                ty: parameter.takes.expected().unwrap_or(Type::Error),
+                ty: match parameter.takes {
+                    Takes::LengthOrVector if is_tuple(arguments) => Type::Vector(PointSpace::Any),
+                    takes => takes.expected().unwrap_or(Type::Error),
+                },
                 required: parameter.required,
             })
             .collect();
@@ -33,14 +50,42 @@ impl Checker<'_> {
             Some(value) => self.takes(declaration.name, value, takes),
             None => !takes.required,
         });
+        let complete = complete && !self.has_gap(native, &bound, at);
         let values: Vec<Expr> = bound.into_iter().flatten().collect();
         if !complete || values.iter().any(|value| value.ty == Type::Error) {
             return error_expr(span);
         }
-        match self.native_type(native, &values) {
+        let ty = match native {
+            Native::Translate
+            | Native::Rotate
+            | Native::Turn
+            | Native::Scale
+            | Native::Mirror
+            | Native::Affine => self.map_type(native, &values, at),
+            Native::Point | Native::Segment | Native::Polygon | Native::Quad | Native::Strut => {
+                self.germ_type(frame, &values)
+            }
+            _ => self.native_type(native, &values),
+        };
+        match ty {
             Some(ty) => Expr { kind: ExprKind::Native(native, values), ty, span },
             None => error_expr(span),
         }
+    }
+
+    /// Whether a number is left out before another one that is given by name.
+    fn has_gap(&mut self, native: Native, bound: &[Option<Expr>], at: Span) -> bool {
+        let parameters = native.declaration().parameters;
+        let missing = bound.windows(2).position(|pair| matches!(pair, [None, Some(_)]));
+        let Some(missing) = missing.filter(|place| parameters[*place].takes == parameters[*place + 1].takes)
+        else {
+            return false;
+        };
+        let (name, next) = (parameters[missing].name, parameters[missing + 1].name);
+        let what = native.declaration().name;
+        let message = format!("`{what}` needs `{name}` where `{next}` is given");
+        self.report(Diagnostic::new(Code::E0403, at, message).label(format!("no `{name}`")));
+        true
     }
 
     fn takes(&mut self, native: &str, value: &Expr, parameter: &NativeParameter) -> bool {
@@ -60,6 +105,7 @@ impl Checker<'_> {
                     matches!(&value.ty, Type::List(inner) if matches!(**inner, Type::List(_) | Type::Error))
                 }
                 Takes::Plain => value.ty.dimension().is_some() || matches!(value.ty, Type::Bool | Type::Text),
+                Takes::LengthOrVector => value.ty == Type::LENGTH || matches!(value.ty, Type::Vector(_)),
                 _ => true,
             };
         if !fits {
@@ -70,6 +116,7 @@ impl Checker<'_> {
                 Takes::Summands => "a list of numbers, points or vectors",
                 Takes::Lists => "a list of lists",
                 Takes::Plain => "a number, a truth or a text",
+                Takes::LengthOrVector => "lengths or a vector",
                 _ => "a list",
             };
             let is = self.described(&value.ty);
@@ -111,18 +158,6 @@ impl Checker<'_> {
                     return None;
                 }
                 Type::LENGTH
-            }
-            Native::Segment => {
-                let other = values.iter().find(|value| value.ty.point_space() != Some(PointSpace::Control));
-                if let Some(other) = other {
-                    let message =
-                        "a germ is drawn between the control points of its ifs, or combinations of them";
-                    let diagnostic =
-                        Diagnostic::new(Code::E0402, other.span, message).label("not a control point");
-                    self.report(diagnostic.hint("name control points: `germ segment(p0, p3)`"));
-                    return None;
-                }
-                Type::Germ
             }
             Native::Tensor => Type::Ifs,
             Native::Sheet => Type::Figure,
@@ -168,6 +203,15 @@ impl Checker<'_> {
             }
             _ => None,
         }
+    }
+}
+
+/// Whether the first argument is written as coordinates.
+fn is_tuple(arguments: &[ast::Argument]) -> bool {
+    let kind = arguments.first().map(|argument| &argument.value.kind);
+    match kind {
+        Some(ast::ExprKind::Group(inner)) => matches!(inner.kind, ast::ExprKind::Tuple(_)),
+        kind => matches!(kind, Some(ast::ExprKind::Tuple(_))),
     }
 }
 

@@ -75,6 +75,9 @@ impl Checker<'_> {
         } else {
             (self.expr(frame, left, None), self.expr(frame, right, None))
         };
+        if self.refuse_map_of_ifs(&left, &right) {
+            return error_expr(span);
+        }
         match self.result(arithmetic, &left.ty, &right.ty) {
             Some(ty) => {
                 let kind = ExprKind::Arithmetic(arithmetic, at, Box::new(left), Box::new(right));
@@ -119,6 +122,9 @@ impl Checker<'_> {
         if (arithmetic, left, right) == (Arithmetic::Add, &Type::Text, &Type::Text) {
             return Some(Type::Text);
         }
+        if let (Arithmetic::Multiply, Type::Map(space)) = (arithmetic, left) {
+            return mapped(*space, right);
+        }
         match (arithmetic, left.dimension(), right.dimension()) {
             (Arithmetic::Add | Arithmetic::Subtract, Some(a), Some(b)) => {
                 (a == b).then(|| if left == right { left.clone() } else { Type::Quantity(a) })
@@ -137,6 +143,12 @@ impl Checker<'_> {
 
     fn unfit(&mut self, arithmetic: Arithmetic, at: Span, left: &Expr, right: &Expr, span: Span) -> Expr {
         let (a, b) = (self.described(&left.ty), self.described(&right.ty));
+        if let (Arithmetic::Multiply, Type::Map(space)) = (arithmetic, &left.ty)
+            && matches!(right.ty, Type::Map(_) | Type::Point(_) | Type::Vector(_))
+        {
+            self.mixed(*space, left.span, &right.ty, right.span);
+            return error_expr(span);
+        }
         let symbol = arithmetic.symbol();
         let message = format!("`{symbol}` does not fit {a} and {b}");
         let mut diagnostic = Diagnostic::new(Code::E0402, at, message)
@@ -162,6 +174,9 @@ impl Checker<'_> {
             && arithmetic == Arithmetic::Add
         {
             diagnostic = diagnostic.hint("one list after the other is `concat([a, b])`");
+        } else if matches!(left.ty, Type::Map(_)) || matches!(right.ty, Type::Map(_)) {
+            diagnostic = diagnostic
+                .hint("a map stands to the left of what it moves: `rotate(90deg) * p`, `scale(1/2) * self`");
         } else if list.is_some() {
             diagnostic =
                 diagnostic.hint(format!("for every element of a list: `[x {symbol} … for x in list]`"));
@@ -210,6 +225,19 @@ impl Checker<'_> {
             return error_expr(span);
         }
         Expr { kind: ExprKind::Compare(comparison, Box::new(left), Box::new(right)), ty: Type::Bool, span }
+    }
+}
+
+/// What a map of this space makes of a thing.
+fn mapped(space: PointSpace, thing: &Type) -> Option<Type> {
+    let join = |other: PointSpace| space.join(other).filter(|joined| *joined != PointSpace::Control);
+    match thing {
+        Type::Map(other) => Some(Type::Map(join(*other)?)),
+        Type::Point(other) => Some(Type::Point(join(*other)?)),
+        Type::Vector(other) => Some(Type::Vector(join(*other)?)),
+        Type::Ifs => Some(Type::Ifs),
+        figure if figure.is_figure() => Some(figure.clone()),
+        _ => None,
     }
 }
 

@@ -16,6 +16,7 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         let ifs = self.expect(frame, ifs, &Type::Ifs);
+        let space = self.ifs_space(&ifs);
         let point = Type::Point(PointSpace::Any);
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
@@ -25,7 +26,8 @@ impl Checker<'_> {
                     return self.list_in_brackets(list, points.len(), span);
                 }
                 let points: Vec<Expr> = points.into_iter().map(|value| self.convert(value, &point)).collect();
-                if points.iter().all(|point| point.ty != Type::Error) {
+                let placed = matches!(space, None | Some(PointSpace::Control));
+                if placed && points.iter().all(|point| point.ty != Type::Error) {
                     self.count_points(&ifs, points.len(), *at);
                 }
                 let ty = Type::List(Box::new(point));
@@ -39,7 +41,7 @@ impl Checker<'_> {
                 (self.convert(points, if rows { &grid } else { &list }), value.span)
             }
         };
-        if ifs.ty == Type::Error {
+        if ifs.ty == Type::Error || self.refuse_points(&ifs, at) {
             return error_expr(span);
         }
         Expr { kind: ExprKind::On(Box::new(ifs), Box::new(points), at), ty: Type::Figure, span }

@@ -15,7 +15,9 @@ const PLAIN: &[(&str, Type)] = &[
     ("Text", Type::Text),
     ("Point", Type::Point(PointSpace::Any)),
     ("Vector", Type::Vector(PointSpace::Any)),
+    ("Map", Type::Map(PointSpace::Any)),
     ("Ifs", Type::Ifs),
+    ("Germ", Type::Germ),
     ("Curve", Type::Curve),
     ("Surface", Type::Surface),
     ("Figure", Type::Figure),
@@ -36,10 +38,6 @@ impl Checker<'_> {
         }
         if let Some((_, plain)) = PLAIN.iter().find(|(known, _)| *known == name) {
             return plain.clone();
-        }
-        if name == "Map" {
-            self.later(name, ty.span);
-            return Type::Error;
         }
         let symbol = self.symbol(module, name, ty.span);
         if symbol == Some(Symbol::Lost) {
@@ -73,19 +71,13 @@ impl Checker<'_> {
 
     /// A value of a type in words, for messages: `a Length`, `a whole number`, `a list of Length`.
     pub(super) fn described(&self, ty: &Type) -> String {
-        let of = |what: &str, space: &PointSpace| match space {
-            PointSpace::Plane => format!("a {what} of the plane"),
-            PointSpace::Space => format!("a {what} in space"),
-            PointSpace::Control if what == "point" => "a combination of control points".to_owned(),
-            PointSpace::Control => format!("a {what} between control points"),
-            PointSpace::Any => format!("a {what}"),
-        };
         match ty {
             Type::Int => "a whole number".to_owned(),
             Type::Quantity(Dimension::NUMBER) => "a number without a unit".to_owned(),
             Type::Bool => "true or false".to_owned(),
-            Type::Point(space) => of("point", space),
-            Type::Vector(space) => of("vector", space),
+            Type::Point(space) => space.thing("point"),
+            Type::Vector(space) => space.thing("vector"),
+            Type::Map(space) => space.thing("map"),
             Type::List(element) => format!("a list of {}", self.type_name(element)),
             Type::Choice(_) => format!("one of {}", self.type_name(ty)),
             Type::Settings(_) => self.type_name(ty),
@@ -107,6 +99,7 @@ impl Checker<'_> {
             Type::Quantity(dimension) => dimension.name(),
             Type::Point(_) => "Point".to_owned(),
             Type::Vector(_) => "Vector".to_owned(),
+            Type::Map(_) => "Map".to_owned(),
             Type::WeightedSum(_) => "weighted sum of points".to_owned(),
             Type::List(element) => format!("[{}]", self.type_name(element)),
             Type::IntRange => "range of whole numbers".to_owned(),

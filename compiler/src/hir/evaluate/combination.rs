@@ -76,7 +76,9 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Outcome<Value> {
         let factor = match value.terms {
-            Terms::Weights(_) => exactly(factor.clone()).map_err(|error| self.scalar_error(error, span))?,
+            Terms::Weights(_) => {
+                self.taken_exactly(factor.clone()).map_err(|error| self.scalar_error(error, span))?
+            }
             Terms::Coordinates(_) => factor.clone(),
         };
         self.work(value.terms.scalars(), factor.cost(), span)?;
@@ -111,6 +113,12 @@ impl Evaluator<'_> {
             }
         }
         false
+    }
+
+    /// A number for a weight: [`exactly`], remembering where that hides a rounding.
+    pub(super) fn taken_exactly(&mut self, scalar: Scalar) -> Result<Scalar, ScalarError> {
+        self.rounded |= matches!(scalar, Scalar::Real(_) | Scalar::Pi(_)) && !scalar.is_zero();
+        exactly(scalar)
     }
 
     /// `(1 - t) a + t b`

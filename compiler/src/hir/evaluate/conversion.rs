@@ -21,6 +21,10 @@ impl Evaluator<'_> {
             }
             (Type::Point(_), Value::Combination(sum)) => self.of_weight(sum, 1, from),
             (Type::Vector(_), Value::Combination(sum)) => self.of_weight(sum, 0, from),
+            (to, Value::Ifs(ifs)) if to.is_figure() => {
+                let figure = self.on_frame(ifs, from.span)?;
+                self.converted(figure, to, from)
+            }
             (Type::Curve | Type::Surface, Value::Figure(figure)) => {
                 let curve = *to == Type::Curve;
                 match &figure.shape {

@@ -34,7 +34,8 @@ impl Evaluator<'_> {
                 let arguments = self.all(frame, arguments)?;
                 Ok(Value::Ifs(Arc::new(IfsValue::Instance(Instance { ifs: *id, arguments }))))
             }
-            ExprKind::SelfIfs => {
+            ExprKind::OwnGerm(germ) => Ok(Value::OwnGerm(*germ)),
+            ExprKind::SelfIfs(_) => {
                 let own = frame.own_ifs.clone().ok_or(Stop::Reported)?;
                 Ok(Value::Ifs(Arc::new(IfsValue::Instance(own))))
             }

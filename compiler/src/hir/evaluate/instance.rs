@@ -1,13 +1,14 @@
 //! An ifs with its arguments worked out: the images of control points as rows of exact weights.
 
-use super::combination::exactly;
+use super::germ::Drawn;
+use super::transform::Piece;
 use super::{Evaluator, Frame, Outcome, Stop, words};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::{Expr, Hir, Ifs, ItemKind, LocalId};
-use crate::hir::types::Type;
-use crate::hir::value::{Combination, GermShape, IfsValue, Instance, Terms, Value};
+use crate::hir::tree::{Hir, Ifs, ItemKind, LocalId};
+use crate::hir::types::{PointSpace, Type};
+use crate::hir::value::{Combination, GermShape, Instance, Terms, Value};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -17,7 +18,12 @@ type Row = Vec<Rational>;
 /// An ifs with its arguments worked out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InstanceBody {
-    /// How many control points it has.
+    /// Where it lives.
+    pub space: PointSpace,
+    /// Whether a number in its weights is rounded, such as the cosine of most angles: then no proof holds for what was
+    /// meant, only for the rounded numbers.
+    pub rounded: bool,
+    /// How many control points it has, or points of its frame.
     pub control_points: usize,
     /// Its transforms in order.
     pub transforms: Vec<InstanceTransform>,
@@ -55,9 +61,9 @@ pub struct InstanceTransform {
 
 /// The parts of an ifs while some of its weights may be functions of its parameters.
 struct Parts {
-    transforms: Vec<(usize, Instance, Vec<Vec<Scalar>>)>,
-    germ: (GermShape, Vec<Vec<Scalar>>),
-    keep: Vec<(GermShape, Vec<Vec<Scalar>>)>,
+    pieces: Vec<Piece>,
+    germ: Drawn,
+    keep: Vec<Drawn>,
 }
 
 impl Evaluator<'_> {
@@ -70,6 +76,7 @@ impl Evaluator<'_> {
         let ItemKind::Ifs(ifs) = &hir.item(instance.ifs).kind else { return Err(Stop::Reported) };
         let within = (!ifs.parameters.is_empty()).then(|| format!("`{}`", instance_name(hir, instance)));
         let outer = std::mem::replace(&mut self.within, within);
+        self.rounded = false;
         let parts = self.parts(instance, ifs);
         self.within = outer;
         let parts = parts?;
@@ -77,22 +84,27 @@ impl Evaluator<'_> {
             row.iter().map(|weight| weight.to_rational().ok_or(Stop::Undetermined)).collect()
         };
         let mut transforms = Vec::new();
-        for (index, target, rows) in parts.transforms {
-            let transform = &ifs.transforms[index];
-            let rows: Outcome<Vec<Row>> = rows.into_iter().map(exact).collect();
+        for piece in parts.pieces {
+            let transform = &ifs.transforms[piece.transform];
+            let rows: Outcome<Vec<Row>> = piece.rows.into_iter().map(exact).collect();
             transforms.push(InstanceTransform {
-                name: transform.name.clone(),
+                name: match piece.member {
+                    Some(member) => format!("{}.{member}", transform.name),
+                    None => transform.name.clone(),
+                },
                 name_span: transform.name_span,
-                points_span: transform.points_span,
-                target,
+                points_span: transform.image.span(),
+                target: piece.target,
                 rows: rows?,
             });
         }
-        let germ = |(shape, vertices): (GermShape, Vec<Vec<Scalar>>)| -> Outcome<InstanceGerm> {
+        let germ = |(shape, vertices): Drawn| -> Outcome<InstanceGerm> {
             let vertices: Outcome<Vec<Row>> = vertices.into_iter().map(exact).collect();
             Ok(InstanceGerm { shape, vertices: vertices? })
         };
         Ok(InstanceBody {
+            space: ifs.space,
+            rounded: self.rounded,
             control_points: ifs.control_points.len(),
             transforms,
             germ: germ(parts.germ)?,
@@ -137,32 +149,29 @@ impl Evaluator<'_> {
                 Err(reason) => stop = Some(reason),
             }
         }
-        let mut transforms = Vec::new();
-        for (index, transform) in ifs.transforms.iter().enumerate() {
-            match self.transform(&mut frame, transform) {
-                Ok((target, rows)) => transforms.push((index, target, rows)),
-                Err(reason) => stop = Some(reason),
-            }
+        let (pieces, stopped) = self.pieces(&mut frame, ifs);
+        if let Some(stop) = stopped.or(stop) {
+            return Err(stop);
+        }
+        if pieces.is_empty() {
+            return Err(self.no_pieces(instance, ifs));
         }
         let germ = ifs.germ.as_ref().ok_or(Stop::Reported)?;
-        let germ = self.germ(&mut frame, germ)?;
+        let germ = self.germ(&mut frame, ifs, (instance, &pieces), germ)?;
         let mut keep = Vec::new();
         for kept in &ifs.keep {
-            keep.push(self.germ(&mut frame, kept)?);
+            keep.push(self.germ(&mut frame, ifs, (instance, &pieces), kept)?);
         }
-        match stop {
-            Some(stop) => Err(stop),
-            None if transforms.is_empty() => Err(Stop::Reported),
-            None => Ok(Parts { transforms, germ, keep }),
-        }
+        Ok(Parts { pieces, germ, keep })
     }
 
-    #[allow(clippy::type_complexity, reason = "a shape and its vertices' weights")]
-    fn germ(&mut self, frame: &mut Frame, germ: &Expr) -> Outcome<(GermShape, Vec<Vec<Scalar>>)> {
-        let Value::Germ(germ) = self.expr(frame, germ)? else { return Err(Stop::Reported) };
-        let vertices: Outcome<Vec<Vec<Scalar>>> =
-            germ.vertices.iter().map(|vertex| weights(vertex)).collect();
-        Ok((germ.shape.clone(), vertices?))
+    /// All families of an ifs are empty. An ifs without any transform has been reported by the checker.
+    fn no_pieces(&mut self, instance: &Instance, ifs: &Ifs) -> Stop {
+        let Some(family) = ifs.transforms.first() else { return Stop::Reported };
+        let message = format!("`{}` has no transforms", instance_name(self.hir, instance));
+        let diagnostic =
+            Diagnostic::new(Code::E0507, family.name_span, message).label("a family without members");
+        self.report(diagnostic.hint("let the range of the family have at least one number"))
     }
 
     fn instance_frame(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Frame> {
@@ -173,11 +182,15 @@ impl Evaluator<'_> {
             let value = match argument {
                 Value::Scalar(scalar) if plain => {
                     let span = self.hir.item(instance.ifs).name_span;
-                    Value::Scalar(exactly(scalar.clone()).map_err(|error| self.scalar_error(error, span))?)
+                    let exact = self.taken_exactly(scalar.clone());
+                    Value::Scalar(exact.map_err(|error| self.scalar_error(error, span))?)
                 }
                 other => other.clone(),
             };
             frame.set(LocalId(index as u32), value);
+        }
+        if ifs.space != PointSpace::Control {
+            return Ok(frame);
         }
         let count = ifs.control_points.len();
         for point in 0..count {
@@ -187,42 +200,6 @@ impl Evaluator<'_> {
             frame.set(LocalId((ifs.parameters.len() + point) as u32), Value::Combination(Arc::new(value)));
         }
         Ok(frame)
-    }
-
-    #[allow(clippy::type_complexity, reason = "a target and its rows")]
-    fn transform(
-        &mut self,
-        frame: &mut Frame,
-        transform: &crate::hir::tree::Transform,
-    ) -> Outcome<(Instance, Vec<Vec<Scalar>>)> {
-        let target = match self.expr(frame, &transform.target)? {
-            Value::Ifs(ifs) => match ifs.as_ref() {
-                IfsValue::Instance(instance) => instance.clone(),
-                IfsValue::Tensor(..) => {
-                    let message = "a transform continues with one ifs, not with a product of two";
-                    let diagnostic = Diagnostic::new(Code::E0503, transform.target.span, message);
-                    return Err(self.report(diagnostic.label("a tensor product")));
-                }
-            },
-            _ => return Err(Stop::Reported),
-        };
-        let mut rows = Vec::new();
-        let mut stop = None;
-        for point in &transform.points {
-            let row = match self.expr(frame, point) {
-                Ok(Value::Combination(point)) => weights(&point),
-                Ok(_) => Err(Stop::Reported),
-                Err(stop) => Err(stop),
-            };
-            match row {
-                Ok(row) => rows.push(row),
-                Err(reason) => stop = Some(reason),
-            }
-        }
-        match stop {
-            Some(stop) => Err(stop),
-            None => Ok((target, rows)),
-        }
     }
 }
 
@@ -246,11 +223,4 @@ pub fn instance_name(hir: &Hir, instance: &Instance) -> String {
         format!("{}: {value}", parameter.name)
     });
     format!("{}({})", item.name, arguments.collect::<Vec<_>>().join(", "))
-}
-
-fn weights(point: &Combination) -> Outcome<Vec<Scalar>> {
-    match &point.terms {
-        Terms::Weights(weights) => Ok(weights.clone()),
-        Terms::Coordinates(_) => Err(Stop::Reported),
-    }
 }

@@ -5,14 +5,17 @@ mod budget;
 mod combination;
 mod conversion;
 mod expression;
+mod germ;
 mod instance;
 mod list;
+mod map;
 mod maths;
 mod native;
 mod operator;
 mod overrides;
 mod placement;
 mod symbolic;
+mod transform;
 mod vectors;
 
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
@@ -63,6 +66,8 @@ pub struct Evaluator<'a> {
     sums: BTreeMap<Span, Vec<Span>>,
     /// Sums found to be neither points nor vectors where one was needed; what is made of them is wrong for their sake.
     wrong_sums: BTreeSet<Span>,
+    /// Whether a rounded number went into the weights of the ifs being worked out.
+    rounded: bool,
 }
 
 /// An ifs used where its pieces must join.
@@ -112,6 +117,7 @@ impl<'a> Evaluator<'a> {
             open: BTreeSet::new(),
             sums: BTreeMap::new(),
             wrong_sums: BTreeSet::new(),
+            rounded: false,
         }
     }
 

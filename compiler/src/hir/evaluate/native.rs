@@ -9,7 +9,7 @@ use crate::hir::native::Native;
 use crate::hir::scalar::{Scalar, ScalarError};
 use crate::hir::tree::Expr;
 use crate::hir::types::Type;
-use crate::hir::value::{Combination, Germ, GermShape, IfsValue, Terms, Value};
+use crate::hir::value::{Combination, IfsValue, Terms, Value};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -23,13 +23,21 @@ impl Evaluator<'_> {
     ) -> Outcome<Value> {
         let values = self.all(frame, arguments)?;
         let span = expr.span;
+        match native {
+            Native::Translate
+            | Native::Rotate
+            | Native::Turn
+            | Native::Scale
+            | Native::Mirror
+            | Native::Affine => return self.map(native, &values, arguments, span),
+            Native::Point | Native::Segment | Native::Polygon | Native::Quad | Native::Strut => {
+                return self.germ_of(native, &values, arguments);
+            }
+            _ => {}
+        }
         let value = match (native, values.as_slice()) {
             (Native::Lerp, [Value::Combination(a), Value::Combination(b), Value::Scalar(t)]) => {
                 return self.lerp(a, b, t, span);
-            }
-            (Native::Segment, [Value::Combination(start), Value::Combination(end)]) => {
-                let vertices = vec![start.clone(), end.clone()];
-                return Ok(Value::Germ(Arc::new(Germ { shape: GermShape::Segment, vertices })));
             }
             (Native::Tensor, [u, v]) => {
                 let factors = (self.factor(u, arguments[0].span)?, self.factor(v, arguments[1].span)?);
@@ -87,8 +95,11 @@ impl Evaluator<'_> {
             _ => return Err(Stop::Reported),
         };
         let inside = frame.own_ifs.is_some() && expr.ty == Type::NUMBER;
-        let value =
-            if inside { exactly(value).map_err(|error| self.scalar_error(error, span))? } else { value };
+        let value = if inside {
+            self.taken_exactly(value).map_err(|error| self.scalar_error(error, span))?
+        } else {
+            value
+        };
         Ok(Value::Scalar(value))
     }
 
@@ -165,7 +176,7 @@ impl Evaluator<'_> {
         Err(self.report(diagnostic.hint(format!("use a value {ends}"))))
     }
 
-    fn function(&mut self, native: Native, x: &Scalar, argument: &Expr) -> Outcome<Scalar> {
+    pub(super) fn function(&mut self, native: Native, x: &Scalar, argument: &Expr) -> Outcome<Scalar> {
         let span = argument.span;
         if let Scalar::Symbolic(_) = x
             && x.to_rational().is_none()

@@ -55,6 +55,7 @@ impl Evaluator<'_> {
                 self.length(a.len() + b.len(), span)?;
                 Ok(Value::Text([a.as_ref(), b.as_ref()].concat().into()))
             }
+            (Value::Map(map), thing) => self.mapped(map, (right_expr, thing), span),
             _ => Err(Stop::Reported),
         }
     }

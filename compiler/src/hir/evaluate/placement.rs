@@ -3,6 +3,7 @@
 use super::{Evaluator, Frame, MustJoin, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::tree::{Expr, ItemKind};
+use crate::hir::types::PointSpace;
 use crate::hir::value::{Combination, Figure, IfsValue, Instance, Level, Shape, Terms, Value};
 use crate::source::Span;
 use std::sync::Arc;
@@ -22,6 +23,7 @@ impl Evaluator<'_> {
         let shape = match ifs_value.as_ref() {
             IfsValue::Instance(instance) => self.curve(instance, &points, at)?,
             IfsValue::Tensor(u, v) => self.patch(u, v, &points, at)?,
+            IfsValue::Mapped(_, instance) => return Err(self.no_points(instance, at)),
         };
         Ok(Value::Figure(Arc::new(Figure { shape, level: None, span })))
     }
@@ -33,7 +35,17 @@ impl Evaluator<'_> {
         }
     }
 
+    fn no_points(&mut self, instance: &Instance, at: Span) -> Stop {
+        let space = self.instance_space(instance).words();
+        let message = format!("an ifs {space} has no control points to be placed on");
+        let diagnostic = Diagnostic::new(Code::E0531, at, message).label("no place for points");
+        self.report(diagnostic.hint("it is placed by a map: `translate(…) * name at level 4`"))
+    }
+
     fn curve(&mut self, instance: &Instance, points: &Value, at: Span) -> Outcome<Shape> {
+        if self.instance_space(instance) != PointSpace::Control {
+            return Err(self.no_points(instance, at));
+        }
         let list = points.list().ok_or(Stop::Reported)?;
         let needed = self.control_points(instance);
         if list.first().is_some_and(|first| first.list().is_some()) {
@@ -101,6 +113,10 @@ impl Evaluator<'_> {
     pub(super) fn factor(&mut self, value: &Value, span: Span) -> Outcome<Option<Instance>> {
         let Value::Ifs(ifs) = value else { return Ok(None) };
         match ifs.as_ref() {
+            IfsValue::Mapped(_, instance) => Err(self.no_factor(instance, span)),
+            IfsValue::Instance(instance) if self.instance_space(instance) != PointSpace::Control => {
+                Err(self.no_factor(instance, span))
+            }
             IfsValue::Instance(instance) => {
                 let why = "a surface is a product of curves".to_owned();
                 self.must_join.push(MustJoin { ifs: instance.clone(), span, why });
@@ -112,6 +128,13 @@ impl Evaluator<'_> {
                 Err(self.report(diagnostic.hint("name the ifs of a curve, such as `bezier3`")))
             }
         }
+    }
+
+    fn no_factor(&mut self, instance: &Instance, span: Span) -> Stop {
+        let space = self.instance_space(instance).words();
+        let message = format!("a surface is a product of curves on control points; this ifs lives {space}");
+        let diagnostic = Diagnostic::new(Code::E0531, span, message).label(format!("an ifs {space}"));
+        self.report(diagnostic.hint("name the ifs of a curve, such as `bezier3`"))
     }
 
     #[allow(clippy::type_complexity, reason = "points, rows and columns")]

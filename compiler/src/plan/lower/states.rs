@@ -3,8 +3,11 @@
 use super::Lowering;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::evaluate::{InstanceBody, InstanceGerm, instance_name};
+use crate::hir::types::PointSpace;
 use crate::hir::value::{self, Instance};
-use crate::ifs::{Automaton, AutomatonError, Germ, GermShape, MAX_STATES, Matrix, State, StateId, Transform};
+use crate::ifs::{
+    Automaton, AutomatonError, Germ, GermShape, MAX_STATES, Matrix, State, StateId, StateSpace, Transform,
+};
 use crate::source::Span;
 
 /// The states met so far.
@@ -76,6 +79,12 @@ impl Lowering<'_, '_> {
             let name = instance_name(self.hir, instance);
             let transforms = transforms.collect::<Option<Vec<Transform>>>()?;
             let mut state = State::new(name, body.control_points, transforms, germ(&body.germ)?);
+            state.space = match body.space {
+                PointSpace::Plane => StateSpace::Plane,
+                PointSpace::Space => StateSpace::Space,
+                PointSpace::Control | PointSpace::Any => StateSpace::Control,
+            };
+            state.rounded = body.rounded;
             state.keep = body.keep.iter().map(germ).collect::<Option<Vec<Germ>>>()?;
             states.push(state);
         }
