@@ -4,9 +4,17 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+/// What else can be set, and what wins.
+const SETTINGS: &str = "\
+The file ifs.toml marks the folder of a project and may set for all its designs:
+  out = \"made\"      the folder, in the project, in which each design has its output folder
+  [params]           below it, values of parameters: span = \"7m\"
+Variables of the environment set the same: IFS_OUT, and IFS_PARAM_SPAN=7m for the parameter `span`.
+An argument wins over a variable, that over ifs.toml, that over the design's own default.";
+
 /// A compiler for free-form timber: from a design in equations to models, lists and machine programs.
 #[derive(Debug, Clone, PartialEq, Parser)]
-#[command(name = "ifs", version, about, disable_help_subcommand = true)]
+#[command(name = "ifs", version, about, disable_help_subcommand = true, after_help = SETTINGS)]
 pub struct Cli {
     /// How diagnostics are printed
     #[arg(long, global = true, value_enum, value_name = "FORMAT", default_value_t = MessageFormat::Human)]
@@ -47,7 +55,7 @@ pub struct Build {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
 
-    /// The output folder; `out/` and the design's name where it is not given
+    /// The output folder; else one of the design's name in IFS_OUT, in the `out` of ifs.toml, or in `out/`
     #[arg(short = 'o', long = "out", value_name = "DIR")]
     pub out: Option<PathBuf>,
 

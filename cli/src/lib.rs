@@ -7,6 +7,7 @@
 
 pub mod args;
 pub mod commands;
+pub mod environment;
 pub mod exit;
 pub mod folder;
 pub mod output;

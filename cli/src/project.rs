@@ -1,13 +1,22 @@
 //! The project of a design: its folder, and how the paths in it are shown. The folder is that of the nearest `ifs.toml`
-//! upwards, else that of the design.
+//! upwards, else that of the design; what that file sets is used here.
 
 use std::path::{Component, Path, PathBuf};
 
+use ifs_compiler::analysis::project::{
+    ProjectSettings, misspelt_parameters, read_project, unreadable_project,
+};
 use ifs_compiler::analysis::{Analysis, analyse};
+use ifs_compiler::diagnostic::Diagnostic;
 use ifs_compiler::hir::evaluate::Overrides;
-use ifs_compiler::source::SourceMap;
+use ifs_compiler::source::{FileId, SourceMap};
 
-use crate::sources::{Disk, slashed};
+use crate::args::{MessageFormat, Setting};
+use crate::commands::tell;
+use crate::environment;
+use crate::exit::Exit;
+use crate::output;
+use crate::sources::{Disk, slashed, text_of};
 
 /// The name of the file that marks a project's folder.
 pub const PROJECT_FILE: &str = "ifs.toml";
@@ -19,14 +28,35 @@ pub struct Project {
     pub disk: Disk,
     /// The folder of the project as it is shown: from where the design was named.
     shown: PathBuf,
-    /// Whether an `ifs.toml` marks it.
-    pub marked: bool,
+    /// What its `ifs.toml` sets.
+    pub settings: ProjectSettings,
+    /// The text of its `ifs.toml`.
+    text: SourceMap,
 }
 
 impl Project {
-    /// The project of the design that was named; `-` is the standard input, whose folder is the working folder. `None`
-    /// where a path is not UTF-8.
-    pub fn of(named: &Path) -> Option<Project> {
+    /// The project of the design that was named, after its `ifs.toml` was read; `-` is the standard input, whose folder
+    /// is the working folder.
+    ///
+    /// # Errors
+    /// The path is not UTF-8, or the `ifs.toml` has errors; that has been said.
+    pub fn open(named: &Path, format: MessageFormat) -> Result<Project, Exit> {
+        let Some((mut project, marked)) = Project::of(named) else {
+            output::message("error: a path that is not UTF-8\n");
+            return Err(Exit::Usage);
+        };
+        if marked {
+            let diagnostics = project.read();
+            let told = tell(&diagnostics, &project.text, format);
+            if told.exit != Exit::Good {
+                return Err(told.exit);
+            }
+        }
+        Ok(project)
+    }
+
+    /// The project, and whether an `ifs.toml` marks it; `None` where a path is not UTF-8.
+    fn of(named: &Path) -> Option<(Project, bool)> {
         let stdin = named == Path::new("-");
         let folder = if stdin { Path::new("") } else { named.parent().unwrap_or(Path::new("")) };
         let name = if stdin { "-" } else { named.file_name().unwrap_or(named.as_os_str()).to_str()? };
@@ -37,20 +67,59 @@ impl Project {
         let marked = real.ancestors().find(|above| above.join(PROJECT_FILE).is_file());
         let root = marked.unwrap_or(&real).to_owned();
         let inner = real.strip_prefix(&root).ok()?;
-        let depth = inner.components().count();
+        let shown = above(folder, inner.components().count());
         let design = slashed(&inner.join(name))?;
         let is_marked = marked.is_some();
         let disk = Disk { root, design, named: named.to_owned() };
-        Some(Project { disk, shown: above(folder, depth), marked: is_marked })
+        let settings = ProjectSettings::default();
+        Some((Project { disk, shown, settings, text: SourceMap::default() }, is_marked))
     }
 
-    /// Analyses the design.
-    pub fn analyse(&self, overrides: &Overrides) -> Analysis {
-        analyse(&self.disk, &self.disk.design, overrides)
+    fn read(&mut self) -> Vec<Diagnostic> {
+        let path = self.shown.join(PROJECT_FILE).display().to_string();
+        match text_of(&self.disk.root.join(PROJECT_FILE)) {
+            Ok(text) => {
+                let (settings, found) = read_project(FileId(0), &text);
+                self.text.add(path, text);
+                self.settings = settings;
+                found
+            }
+            Err(why) => {
+                let file = self.text.add(path, "");
+                vec![unreadable_project(file, &why)]
+            }
+        }
+    }
+
+    /// What is set from outside: on the command line, else in the environment, else in `ifs.toml`.
+    pub fn overrides(&self, settings: &[Setting]) -> Overrides {
+        let given = settings.iter().map(|setting| (setting.name.clone(), setting.value.clone()));
+        let project = self.settings.parameters.iter();
+        let mut defaults: std::collections::BTreeMap<String, (String, String)> = project
+            .map(|(name, (value, _))| (name.clone(), (value.clone(), format!("`{PROJECT_FILE}`"))))
+            .collect();
+        defaults.extend(environment::parameters());
+        Overrides { parameters: given.collect(), defaults, ..Overrides::default() }
+    }
+
+    /// Analyses the design and tells what it finds.
+    pub fn analyse(&self, settings: &[Setting], format: MessageFormat) -> Analysed {
+        let analysis = analyse(&self.disk, &self.disk.design, &self.overrides(settings));
+        let sources = self.shown(&analysis.sources);
+        let project = tell(&misspelt_parameters(&self.settings, &analysis.hir), &self.text, format);
+        let exit = tell(&analysis.diagnostics, &sources, format).exit;
+        Analysed { exit: exit.max(project.exit), analysis, sources }
+    }
+
+    /// Where a design's outputs go if nobody says: its own folder in the one that the environment or `ifs.toml` names,
+    /// else in `out`.
+    pub fn out(&self, design: &str) -> PathBuf {
+        let project = || self.settings.out.as_ref().map(|(out, _)| self.shown.join(out));
+        environment::out().or_else(project).unwrap_or_else(|| PathBuf::from("out")).join(design)
     }
 
     /// The sources of an analysis with the paths a person knows them by.
-    pub fn shown(&self, sources: &SourceMap) -> SourceMap {
+    fn shown(&self, sources: &SourceMap) -> SourceMap {
         sources.shown_as(|source| {
             if source.path == self.disk.design {
                 self.disk.named.display().to_string()
@@ -61,6 +130,17 @@ impl Project {
             }
         })
     }
+}
+
+/// A design analysed and told of.
+#[derive(Debug)]
+pub struct Analysed {
+    /// What it means.
+    pub analysis: Analysis,
+    /// Its sources, with the paths a person knows them by.
+    pub sources: SourceMap,
+    /// How the program should end for what was found.
+    pub exit: Exit,
 }
 
 /// The folder so many levels above another, by the letters of its path.

@@ -56,6 +56,15 @@ impl Disk {
     }
 }
 
+/// The text of a small file beside the sources, or why there is none.
+pub(crate) fn text_of(path: &Path) -> Result<String, String> {
+    let bytes = open(path).and_then(limited).map_err(|error| words(&error))?;
+    if bytes.len() > MAX_BYTES {
+        return Err("it is too large".to_owned());
+    }
+    String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_owned())
+}
+
 /// A relative path with `/` on every system.
 pub(crate) fn slashed(path: &Path) -> Option<String> {
     let parts: Option<Vec<&str>> = path.iter().map(|part| part.to_str()).collect();

@@ -50,8 +50,13 @@ pub const ROOMS: &[(&str, &[&str])] = &[
 ];
 
 /// Crates behind a seam, each with the one room that may know it.
-pub const SEAMS: &[(&str, &str)] =
-    &[("logos", "syntax"), ("chumsky", "syntax"), ("ariadne", "diagnostic"), ("gltf_json", "export")];
+pub const SEAMS: &[(&str, &str)] = &[
+    ("logos", "syntax"),
+    ("chumsky", "syntax"),
+    ("ariadne", "diagnostic"),
+    ("gltf_json", "export"),
+    ("toml", "analysis"),
+];
 
 /// What a source file of the compiler imports that it may not; `path` is relative to `compiler/src`. Code of tests
 /// is not looked at, and the crate's root belongs to no room.

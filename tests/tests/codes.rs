@@ -19,6 +19,10 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("E0101", "bytes_that_are_no_text"),
     ("E0108", "a_file_beyond_the_limit"),
     ("E0312", "every_use_of_a_missing_file_is_said_and_a_limit_once"),
+    ("E0313", "a_text_that_is_no_toml"),
+    ("E0314", "an_unknown_key_stands_where_it_is_written"),
+    ("E0315", "a_value_that_cannot_be_used"),
+    ("W0316", "what_a_project_sets_loses_against_what_is_nearer"),
     ("E0606", "a_text_that_is_no_value"),
     ("E0807", "a_design_without_figures_is_not_built"),
     ("E0901", "a_board_that_the_machine_cannot_cut"),
@@ -31,7 +35,12 @@ fn every_code_is_covered() {
     let covered = suite::covered(&root().join("tests/suite")).unwrap();
     let read = |path: &str| fs::read_to_string(root().join(path)).unwrap();
     // A program that does not cut its board is a fault of the compiler: its test stands beside the making of programs.
-    let beside = ["compiler/src/outputs/programs.rs", "compiler/src/analysis/load/tests.rs"];
+    let beside = [
+        "compiler/src/outputs/programs.rs",
+        "compiler/src/analysis/load/tests.rs",
+        "compiler/src/analysis/project.rs",
+        "tests/tests/projects.rs",
+    ];
     let tests = beside.iter().fold(read("tests/tests/codes.rs"), |tests, path| tests + &read(path));
     let faults = suite::faults_of_coverage(&table, &covered, ELSEWHERE, &tests);
     assert!(faults.is_empty(), "{}", faults.join("\n"));

@@ -128,3 +128,48 @@ fn nothing_outside_of_the_project_is_read() {
     symlink(inside.join("parts/sizes.ifs"), folder.join("linked.ifs")).unwrap();
     run(program().arg("check").arg(folder.join("linked.ifs"))).good();
 }
+
+/// The value of `span` in the report of a build.
+fn span_of(out: &Path) -> String {
+    let report: Value = serde_json::from_slice(&fs::read(out.join("report.json")).unwrap()).unwrap();
+    report["parameters"][0]["value"].as_str().unwrap().to_owned()
+}
+
+#[test]
+fn what_a_project_sets_loses_against_what_is_nearer() {
+    let folder = scratch("project-sets");
+    fs::create_dir(folder.join("designs")).unwrap();
+    let design = "use std.curves (bezier2)\nparam span: Length = 3m in 1m .. 9m\n\
+                  figure arch = bezier2 on ((0m, 0m), (span / 2, 2m), (span, 0m)) at level 2\n";
+    fs::write(folder.join("designs/arch.ifs"), design).unwrap();
+    let built = |text: &str, variables: &[(&str, &str)], more: &[&str]| {
+        fs::write(folder.join("ifs.toml"), text).unwrap();
+        let mut command = program();
+        command.current_dir(folder.join("designs")).args(["build", "arch.ifs"]).args(more);
+        run(command.envs(variables.iter().copied()))
+    };
+    let project = "out = \"made\"\n[params]\nspan = \"4m\"\nwidth = \"27mm\"\n";
+    built("", &[], &[]).good();
+    assert_eq!(span_of(&folder.join("designs/out/arch")), "3000mm");
+    built(project, &[], &[]).good();
+    assert_eq!(span_of(&folder.join("made/arch")), "4000mm");
+    let variables = [("IFS_OUT", "elsewhere"), ("IFS_PARAM_SPAN", "5m"), ("IFS_PARAM_OTHER", "x")];
+    built(project, &variables, &[]).good();
+    assert_eq!(span_of(&folder.join("designs/elsewhere/arch")), "5000mm");
+    built(project, &variables, &["--set", "span=6m", "-o", "here"]).good();
+    assert_eq!(span_of(&folder.join("designs/here")), "6000mm");
+
+    // What is wrong is said where it is set.
+    let wrong = built("[params]\nspan = \"10m\"\n", &[], &[]);
+    wrong.failed(1, &["E0601", "`ifs.toml` sets it"]);
+    let wrong = built("", &[("IFS_PARAM_SPAN", "7deg")], &[]);
+    wrong.failed(1, &["E0606", "the variable `IFS_PARAM_SPAN` sets it"]);
+    let warned = built("[params]\nspam = \"4m\"\n", &[], &[]);
+    assert_eq!(warned.code, Some(0));
+    assert!(warned.stderr.contains("W0316") && warned.stderr.contains("../ifs.toml:2:1"), "{warned:?}");
+    built("outt = \"x\"\n", &[], &[]).failed(1, &["E0314", "../ifs.toml:1:1", "did you mean `out`?"]);
+    built("machine = \"router3\"\n", &[], &[]).failed(1, &["E0001", "not available yet"]);
+    fs::write(folder.join("ifs.toml"), b"\xff").unwrap();
+    run(program().current_dir(&folder).args(["check", "designs/arch.ifs"]))
+        .failed(1, &["E0313", "not UTF-8"]);
+}

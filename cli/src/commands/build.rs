@@ -1,29 +1,27 @@
 //! `ifs build`: the outputs of a design, all or none, and a short table of what was made.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::outputs::{Output, Selection, outputs, parameter_texts, project_sources};
 
-use super::{overrides, table, tell};
+use super::{table, tell};
 use crate::args::{Build, Emit, MessageFormat};
 use crate::exit::Exit;
 use crate::folder::{Committed, Exchange, FolderError, OutputFolder, Provenance, SourceRecord};
 use crate::output;
-use crate::project::Project;
+use crate::project::{Analysed, Project};
 
 /// Builds a design.
 pub fn build(build: &Build, format: MessageFormat) -> Exit {
-    let Some(project) = Project::of(&build.file) else {
-        output::message("error: a path that is not UTF-8\n");
-        return Exit::Usage;
+    let project = match Project::open(&build.file, format) {
+        Ok(project) => project,
+        Err(exit) => return exit,
     };
-    let analysis = project.analyse(&overrides(&build.settings));
-    let sources = project.shown(&analysis.sources);
-    let told = tell(&analysis.diagnostics, &sources, format);
-    if told.exit != Exit::Good {
-        return told.exit;
+    let Analysed { analysis, sources, exit } = project.analyse(&build.settings, format);
+    if exit != Exit::Good {
+        return exit;
     }
     if build.emit.contains(&Emit::Plan)
         && let Some(lowered) = &analysis.plan
@@ -40,7 +38,7 @@ pub fn build(build: &Build, format: MessageFormat) -> Exit {
     if told.exit != Exit::Good {
         return told.exit;
     }
-    let out = build.out.clone().unwrap_or_else(|| PathBuf::from("out").join(analysis.design_name()));
+    let out = build.out.clone().unwrap_or_else(|| project.out(&analysis.design_name()));
     match write(&out, &analysis, &made.files) {
         Ok(committed) => finish(&analysis, &committed, &out, format),
         Err(error) => {

@@ -7,6 +7,7 @@ mod load;
 mod measures;
 mod mend;
 mod placed;
+pub mod project;
 mod requirements;
 mod settings;
 
@@ -88,7 +89,7 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         files: loaded.files,
         hir,
         parameters: Vec::new(),
-        set_parameters: overrides.parameters.keys().cloned().collect(),
+        set_parameters: overrides.parameters.keys().chain(overrides.defaults.keys()).cloned().collect(),
         plan: None,
         fabrications: Vec::new(),
         diagnostics: Vec::new(),

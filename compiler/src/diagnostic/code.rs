@@ -80,6 +80,10 @@ codes! {
     E0310 Error "a path that names no file of the project",
     E0311 Error "files that use each other in a circle",
     E0312 Error "more files than the limit",
+    E0313 Error "an `ifs.toml` that cannot be read",
+    E0314 Error "an unknown key in `ifs.toml`",
+    E0315 Error "a value in `ifs.toml` that cannot be used",
+    W0316 Warning "a parameter in `ifs.toml` that the design does not have",
 
     // Types and dimensions.
     E0401 Error "a value of another type is needed here",

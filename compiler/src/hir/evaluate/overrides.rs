@@ -16,6 +16,9 @@ use std::collections::BTreeMap;
 pub struct Overrides {
     /// Parameters by name, as written: `7m`, `0.46`, `true`.
     pub parameters: BTreeMap<String, String>,
+    /// Values for parameters that a design may have or not, as written, each with the words for where it comes from.
+    /// `parameters` win.
+    pub defaults: BTreeMap<String, (String, String)>,
     /// Parameters by name, worked out already; these win. For looking for remedies.
     pub values: BTreeMap<String, Scalar>,
     /// A figure whose levels are read higher or lower by so much.
@@ -93,8 +96,11 @@ impl Evaluator<'_> {
     pub(super) fn parameter(&mut self, id: ItemId, param: &Param) -> Outcome<Value> {
         let item = self.hir.item(id);
         let (name, name_span) = (item.name.clone(), item.name_span);
-        let set = if name_span.file == self.hir.root { self.overrides.parameters.get(&name) } else { None };
-        let tried = self.overrides.values.get(&name).filter(|_| name_span.file == self.hir.root);
+        let own = name_span.file == self.hir.root;
+        let given = self.overrides.parameters.get(&name).filter(|_| own);
+        let default = self.overrides.defaults.get(&name).filter(|_| own && given.is_none());
+        let set = given.or(default.map(|(text, _)| text));
+        let tried = self.overrides.values.get(&name).filter(|_| own);
         let value = match (tried, set) {
             (Some(value), _) => Value::Scalar(value.clone()),
             (None, None) => self.body(&param.default)?,
@@ -107,10 +113,11 @@ impl Evaluator<'_> {
                     _ => format!("1.5{unit}"),
                 };
                 let diagnostic = Diagnostic::new(Code::E0606, name_span, message).label("declared here");
-                self.report(diagnostic.hint(format!("write it like `--set {name}={example}`")))
+                let diagnostic = diagnostic.hint(format!("write it like `--set {name}={example}`"));
+                self.report(said_by(diagnostic, default))
             })?,
         };
-        self.in_range(&name, name_span, param, &value, set.is_some())?;
+        self.in_range(&name, name_span, param, &value, set.map(|_| default))?;
         Ok(value)
     }
 
@@ -135,7 +142,7 @@ impl Evaluator<'_> {
         name_span: crate::source::Span,
         param: &Param,
         value: &Value,
-        set: bool,
+        set: Option<Option<&(String, String)>>,
     ) -> Outcome<()> {
         let Some((from, to)) = &param.range else { return Ok(()) };
         let range_span = from.value.span.to(to.value.span);
@@ -158,11 +165,19 @@ impl Evaluator<'_> {
         let message =
             format!("`{name}` is {}, outside of its range {} .. {}", words(value), words(least), words(most));
         let nearest = if inside(value, least) { words(least) } else { words(most) };
-        let place = if set { name_span } else { param.default.value.span };
+        let place = if set.is_some() { name_span } else { param.default.value.span };
         let diagnostic = Diagnostic::new(Code::E0601, place, message)
-            .label(if set { "set from outside" } else { "its default" })
+            .label(if set.is_some() { "set from outside" } else { "its default" })
             .also(range_span, "its range")
             .hint(format!("the nearest value in the range is {nearest}"));
-        Err(self.report(diagnostic))
+        Err(self.report(said_by(diagnostic, set.flatten())))
+    }
+}
+
+/// With a note of where a value comes from, where it was not given for this design alone.
+fn said_by(diagnostic: Diagnostic, default: Option<&(String, String)>) -> Diagnostic {
+    match default {
+        Some((_, from)) => diagnostic.note(format!("{from} sets it")),
+        None => diagnostic,
     }
 }

@@ -1,0 +1,24 @@
+//! The variables of the environment that set something: `IFS_OUT`, and `IFS_PARAM_` with a parameter's name in capitals.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// What the names of variables that set parameters begin with.
+const PARAMETER: &str = "IFS_PARAM_";
+
+/// `IFS_OUT`: the folder in which each design has its output folder.
+pub fn out() -> Option<PathBuf> {
+    std::env::var_os("IFS_OUT").filter(|value| !value.is_empty()).map(PathBuf::from)
+}
+
+/// The parameters that are set, each with its value and the words for where it comes from. A value that is not UTF-8 is
+/// none of the language.
+pub fn parameters() -> BTreeMap<String, (String, String)> {
+    let set = std::env::vars_os().filter_map(|(name, value)| {
+        let name = name.to_str()?;
+        let parameter = name.strip_prefix(PARAMETER).filter(|rest| !rest.is_empty())?.to_lowercase();
+        let value = value.to_string_lossy().into_owned();
+        Some((parameter, (value, format!("the variable `{name}`"))))
+    });
+    set.collect()
+}
