@@ -6,6 +6,7 @@ mod combination;
 mod conversion;
 mod expression;
 mod instance;
+mod limits;
 mod list;
 mod maths;
 mod native;
@@ -15,9 +16,10 @@ mod placement;
 mod symbolic;
 mod vectors;
 
-pub use budget::{MOST_ELEMENTS, MOST_STEPS};
+pub use budget::MOST_ELEMENTS;
 pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
+pub use limits::Limits;
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};
