@@ -10,7 +10,9 @@
 
 pub mod annotations;
 pub mod designs;
+pub mod generate;
 pub mod imports;
+pub mod invariants;
 pub mod outcome;
 pub mod referees;
 pub mod sources;

@@ -21,9 +21,6 @@ use crate::planarize::{Outcome, Perturbation, perturb};
 use glam::DVec3;
 use std::ops::ControlFlow;
 
-/// The most boards or planks one design may be made of.
-const MOST_BOARDS: u64 = 200_000;
-
 /// The length of stock where a design names none, mm: longer than any bar.
 const ANY_STOCK: f64 = 1e9;
 
@@ -142,7 +139,7 @@ impl Work<'_> {
                 found,
             )?);
         }
-        self.within_board_limit()?;
+        self.within_board_limit(evaluator.limits().boards)?;
         let elements = match self.block.kind {
             SchemaKind::Planks => Elements::Planks(self.planks()?),
             _ => Elements::Panels(self.panels(&limits)?),
@@ -166,12 +163,12 @@ impl Work<'_> {
         own.map(|place| (place, &self.plan.plan.figures()[place])).collect()
     }
 
-    fn within_board_limit(&mut self) -> Option<()> {
+    fn within_board_limit(&mut self, most: u64) -> Option<()> {
         let total: u64 = self.figures().iter().map(|(place, _)| self.plan.counts[*place].elements).sum();
-        if total <= MOST_BOARDS {
+        if total <= most {
             return Some(());
         }
-        let message = format!("this asks for {total} boards; the limit is {MOST_BOARDS}");
+        let message = format!("this asks for {total} boards; the limit is {most}");
         let diagnostic =
             Diagnostic::new(Code::E0701, self.block.figure_span, message).label("too many boards");
         self.diagnostics.push(diagnostic.hint("lower the level of the figure"));

@@ -1,12 +1,9 @@
 //! How long an evaluation may take.
 
-use super::{Evaluator, Outcome, Stop};
+use super::{Evaluator, Limits, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::scalar::Scalar;
 use crate::source::Span;
-
-/// The most steps one evaluation may take.
-pub const MOST_STEPS: u64 = 5_000_000;
 
 /// The most elements one list may have.
 pub const MOST_ELEMENTS: usize = 1_000_000;
@@ -26,6 +23,11 @@ pub(super) struct Budget {
 const MOST_SYMBOLIC_WORK: u64 = 500_000;
 
 impl Evaluator<'_> {
+    /// What the design may ask for.
+    pub fn limits(&self) -> Limits {
+        self.overrides.limits
+    }
+
     /// Counts a step at an expression.
     pub(super) fn step(&mut self, span: Span) -> Outcome<()> {
         self.spend(1, span)
@@ -34,12 +36,13 @@ impl Evaluator<'_> {
     /// Counts many steps at once.
     pub(super) fn spend(&mut self, steps: u64, span: Span) -> Outcome<()> {
         self.budget.steps = self.budget.steps.saturating_add(steps);
-        if self.budget.steps <= MOST_STEPS {
+        let most = self.overrides.limits.steps;
+        if self.budget.steps <= most {
             return Ok(());
         }
         if !self.budget.exhausted {
             self.budget.exhausted = true;
-            let message = format!("the design takes more than {MOST_STEPS} steps to work out");
+            let message = format!("the design takes more than {most} steps to work out");
             let diagnostic = Diagnostic::new(Code::E0703, span, message).label("given up here");
             self.report(diagnostic.hint("use fewer elements in lists, or fewer nested lists"));
         }

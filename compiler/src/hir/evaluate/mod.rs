@@ -7,6 +7,7 @@ mod conversion;
 mod expression;
 mod germ;
 mod instance;
+mod limits;
 mod list;
 mod map;
 mod maths;
@@ -18,9 +19,10 @@ mod symbolic;
 mod transform;
 mod vectors;
 
-pub use budget::{MOST_ELEMENTS, MOST_STEPS};
+pub use budget::MOST_ELEMENTS;
 pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
+pub use limits::Limits;
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};

@@ -1,6 +1,6 @@
 //! Parameters set from outside, their ranges, and levels shifted while a remedy is looked for.
 
-use super::{Evaluator, Outcome, Stop};
+use super::{Evaluator, Limits, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::dimension::{Worth, unit_worth};
@@ -23,6 +23,8 @@ pub struct Overrides {
     pub values: BTreeMap<String, Scalar>,
     /// A figure whose levels are read higher or lower by so much.
     pub level_shift: Option<(String, i32)>,
+    /// What the design may ask for.
+    pub limits: Limits,
 }
 
 /// A parameter's value as it is used, for reports.

@@ -13,9 +13,6 @@ use crate::hir::value::{self, Value};
 use crate::source::Span;
 use states::States;
 
-/// The most elements a design may ask for.
-pub const MOST_ELEMENTS: u64 = 4_000_000;
-
 /// Where a figure of the plan comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FigureSource {
@@ -162,7 +159,7 @@ impl Lowering<'_, '_> {
                 return None;
             }
         };
-        match budget::check(&plan, MOST_ELEMENTS) {
+        match budget::check(&plan, self.evaluator.limits().elements) {
             Ok(counts) => Some(Lowered { plan, sources, counts }),
             Err(error) => {
                 self.over_budget(&plan, &error, &sources);
