@@ -3,17 +3,19 @@
 use crate::fabricate::label::Label;
 use crate::geometry::{Grid, LARGEST_COORDINATE, QuadMesh, grid::Closed};
 use crate::plan::address::{Address, FigureAddresses};
-use crate::plan::evaluate::{SheetEvaluator, basis, curve_points};
+use crate::plan::evaluate::{PiecesEvaluator, SheetEvaluator, basis, curve_points};
 use crate::plan::{FigurePlan, Plan, Shape};
 use glam::DVec3;
 
 /// A figure in space, mm.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum FigureGeometry {
     /// The points of a chain of segments.
     Curve(Vec<DVec3>),
     /// The quads of a surface, row by row.
     Surface(QuadMesh),
+    /// Separate pieces, which are worked out where they are used: there may be millions.
+    Pieces(Box<PiecesEvaluator>),
 }
 
 /// A figure of a plan in space; `None` where its coordinates are beyond what can be built, [`LARGEST_COORDINATE`].
@@ -33,6 +35,9 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
             let points = buffer.into_iter().map(DVec3::from_array).collect();
             let grid = Grid::try_new(evaluator.rows(), evaluator.columns(), points).ok()?;
             grid.into_mesh(Closed::NONE).ok().map(FigureGeometry::Surface)
+        }
+        Shape::Pieces(pieces) => {
+            Some(FigureGeometry::Pieces(Box::new(PiecesEvaluator::new(plan.automaton(), pieces))))
         }
     }
 }

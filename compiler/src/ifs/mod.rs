@@ -17,7 +17,7 @@ pub use automaton::{
     Automaton, AutomatonError, Boundary, MAX_STATES, Side, State, StateId, StateSpace, StatedJoin, Transform,
 };
 pub use contraction::{Contraction, Norm, WORD_BUDGET, contraction};
-pub use count::{Count, count};
+pub use count::{Count, Drawn, count, drawn};
 pub use difference::difference_norm;
 pub use germ::{Germ, GermShape};
 pub use joins::{Joins, OpenJoin, joins, windows_join};

@@ -76,6 +76,7 @@ fn figure(analysis: &Analysis, item: ItemId) -> OwnedFigure {
             Some(FigureGeometry::Surface(designed)) => {
                 out.surfaces.push(OwnedSurface { address, designed, built: None });
             }
+            Some(FigureGeometry::Pieces(_)) => {}
             None => {}
         }
     }

@@ -11,7 +11,7 @@ use crate::export::report::{
 use crate::fabricate::label::Label;
 use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 use crate::hir::schema::Measure;
-use crate::plan::Shape;
+use crate::plan::{Depth, Each, Shape};
 use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
 
 /// The report with the parts of each block.
@@ -31,6 +31,7 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
                         ("surface", sheet.levels.0.to_string())
                     }
                     Shape::Sheet(sheet) => ("surface", format!("({}, {})", sheet.levels.0, sheet.levels.1)),
+                    Shape::Pieces(pieces) => ("figure", depth_words(&pieces.depth)),
                 };
                 let (name, kind) = (figure.to_string(), kind.to_owned());
                 FigureReport { name, kind, level, elements: count.elements }
@@ -40,6 +41,17 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
     let made = analysis.fabrications.iter().zip(parts);
     out.fabrications = made.map(|(made, parts)| fabrication(analysis, made, parts)).collect();
     out
+}
+
+/// `9`, or `each until size <= 20mm`
+fn depth_words(depth: &Depth) -> String {
+    match depth {
+        Depth::Level(level) => level.to_string(),
+        Depth::Each(Each { bound, .. }) => {
+            let sign = if bound.strict { "<" } else { "<=" };
+            format!("each until {} {sign} {}mm", bound.measure.word(), bound.most)
+        }
+    }
 }
 
 fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> report::Fabrication {

@@ -8,6 +8,8 @@ use std::fmt;
 
 use crate::ifs::{Automaton, StateId, Word};
 
+use super::budget::figure_count;
+use super::evaluate::PieceElement;
 use super::figure::{FigurePlan, Shape, SheetPlan};
 
 /// Where an element stands in its figure, independent of evaluation.
@@ -104,6 +106,8 @@ pub struct FigureAddresses<'a> {
     u: ChainWords<'a>,
     v: Option<(ChainWords<'a>, &'a SheetPlan)>,
     windows: (u64, u64),
+    /// Elements of a figure of pieces.
+    pieces: u64,
 }
 
 impl<'a> FigureAddresses<'a> {
@@ -115,7 +119,12 @@ impl<'a> FigureAddresses<'a> {
         match &figure.shape {
             Shape::Curve { state, level, .. } => {
                 let u = ChainWords::new(automaton, *state, *level);
-                FigureAddresses { figure, u, v: None, windows: (1, 1) }
+                FigureAddresses { figure, u, v: None, windows: (1, 1), pieces: 0 }
+            }
+            Shape::Pieces(plan) => {
+                let u = ChainWords::new(automaton, plan.state, 0);
+                let pieces = figure_count(automaton, figure, u32::MAX).map_or(0, |count| count.elements);
+                FigureAddresses { figure, u, v: None, windows: (1, 1), pieces }
             }
             Shape::Sheet(sheet) => {
                 let windows = |points: usize, state: StateId| {
@@ -126,14 +135,15 @@ impl<'a> FigureAddresses<'a> {
                     u: ChainWords::new(automaton, sheet.u, sheet.levels.0),
                     v: Some((ChainWords::new(automaton, sheet.v, sheet.levels.1), sheet)),
                     windows: (windows(sheet.net_rows, sheet.u), windows(sheet.net_columns, sheet.v)),
+                    pieces: 0,
                 }
             }
         }
     }
 
-    /// The address of a curve's segment, by its place along the chain; `None` for a sheet or beyond the end.
+    /// The address of a curve's segment, by its place along the chain; `None` for other figures or beyond the end.
     pub fn segment(&self, element: u64) -> Option<Address> {
-        if self.v.is_some() {
+        if !matches!(self.figure.shape, Shape::Curve { .. }) {
             return None;
         }
         let word = self.u.names(element)?.into_iter().map(str::to_owned).collect();
@@ -154,6 +164,18 @@ impl<'a> FigureAddresses<'a> {
         let width = digits((self.windows.0 * size.0).max(self.windows.1 * size.1) - 1);
         let alias = format!("-{row:0width$}-{column:0width$}");
         Some(self.address(sheet.windows.then_some(window), word, alias))
+    }
+
+    /// The address of an element of separate pieces, as evaluation gives it, with its place in their order; `None` for
+    /// other figures. Where a state keeps several germs, the second and further ones have a letter of their own:
+    /// `keep-2`.
+    pub fn piece(&self, place: u64, element: &PieceElement<'_>) -> Option<Address> {
+        let Shape::Pieces(plan) = &self.figure.shape else { return None };
+        let letters = Word { start: plan.state, letters: element.letters().collect() };
+        let mut word: Vec<String> = letters.names(self.u.automaton).into_iter().map(str::to_owned).collect();
+        word.extend(element.drawn.kept.filter(|kept| *kept > 0).map(|kept| format!("keep-{}", kept + 1)));
+        let width = digits(self.pieces.saturating_sub(1));
+        Some(self.address(None, word, format!("-{place:0width$}")))
     }
 
     fn address(&self, window: Option<(u64, u64)>, word: Vec<String>, place: String) -> Address {

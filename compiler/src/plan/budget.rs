@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::ifs::{Automaton, Count, StateId, count};
+use crate::ifs::{Automaton, Count, Drawn, StateId, count, drawn};
 
-use super::figure::{FigurePlan, Plan, Shape};
+use super::figure::{Depth, FigurePlan, Plan, Shape};
 
 /// Deepest level that is evaluated; an address has one letter a level.
 pub const MAX_LEVEL: u32 = 1000;
@@ -12,11 +12,11 @@ pub const MAX_LEVEL: u32 = 1000;
 /// What a figure comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FigureCount {
-    /// Segments of a curve, quads of a sheet.
+    /// Segments of a curve, quads of a sheet, germs of pieces with those that are kept.
     pub elements: u64,
     /// Vertices, joined ones counted once.
     pub vertices: u64,
-    /// Elements along u and v; a curve has 1 along v.
+    /// Elements along u and v; a curve and pieces have 1 along v.
     pub grid: (u64, u64),
 }
 
@@ -97,6 +97,10 @@ fn level(figure: &FigurePlan) -> u32 {
     match &figure.shape {
         Shape::Curve { level, .. } => *level,
         Shape::Sheet(sheet) => sheet.levels.0.max(sheet.levels.1),
+        Shape::Pieces(pieces) => match pieces.depth {
+            Depth::Level(level) => level,
+            Depth::Each(each) => each.deepest,
+        },
     }
 }
 
@@ -137,6 +141,13 @@ pub(super) fn figure_count(automaton: &Automaton, figure: &FigurePlan, cut: u32)
             let v = along(sheet.v, sheet.net_columns, sheet.levels.1)?;
             let vertices = u.checked_add(1)?.checked_mul(v.checked_add(1)?)?;
             Some(FigureCount { elements: u.checked_mul(v)?, vertices, grid: (u, v) })
+        }
+        Shape::Pieces(pieces) => {
+            let Drawn { elements, vertices } = match pieces.depth {
+                Depth::Level(level) => drawn(automaton, pieces.state, level.min(cut))?,
+                Depth::Each(each) => each.drawn,
+            };
+            Some(FigureCount { elements, vertices, grid: (elements, 1) })
         }
     }
 }

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::ifs::{Automaton, Joins, StateId, joins, windows_join};
+use crate::ifs::{Automaton, Drawn, Joins, StateId, joins, windows_join};
+
+use super::size::SizeBound;
 
 /// How many coordinates a design gave a figure's points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +51,41 @@ pub enum Shape {
     },
     /// A grid of quads.
     Sheet(SheetPlan),
+    /// Pieces that do not join.
+    Pieces(PiecesPlan),
+}
+
+/// A figure whose pieces are drawn one by one and share nothing (LANGUAGE 9): a fern, a column that keeps its trunk.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PiecesPlan {
+    /// The ifs it runs.
+    pub state: StateId,
+    /// Its control points, in millimetres.
+    pub points: Vec<[f64; 3]>,
+    /// Of the plane or of space.
+    pub dimension: Dimension,
+    /// How deep it goes.
+    pub depth: Depth,
+}
+
+/// How deep the branches of a figure of pieces go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Depth {
+    /// All equally deep.
+    Level(u32),
+    /// Each until its own germ is small enough (LANGUAGE 6).
+    Each(Each),
+}
+
+/// Every branch stops on its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Each {
+    /// Where a branch stops.
+    pub bound: SizeBound,
+    /// What it comes to, as [`super::evaluate::PiecesEvaluator::count_each`] has counted it.
+    pub drawn: Drawn,
+    /// Letters of the longest word.
+    pub deepest: u32,
 }
 
 /// One figure: a shape with the name it has in the design.
@@ -62,8 +99,8 @@ pub struct FigurePlan {
     pub shape: Shape,
 }
 
-/// A design ready to be evaluated: sizes agree, coordinates are finite, and the pieces of every figure are proved to
-/// meet.
+/// A design ready to be evaluated: sizes agree, coordinates are finite, and the pieces of every curve and surface are
+/// proved to meet.
 #[derive(Clone, Debug)]
 pub struct Plan {
     automaton: Automaton,
@@ -81,7 +118,7 @@ pub enum PlanError {
         /// The state.
         state: StateId,
     },
-    /// A curve on a wrong number of points.
+    /// A curve, or a figure of pieces, on a wrong number of points.
     PointCount {
         /// The figure.
         figure: String,
@@ -182,7 +219,7 @@ impl Plan {
         &self.figures
     }
 
-    /// The states that figures stand on, with what is proved of their joins.
+    /// The states that figures stand on, with what is known of their joins.
     pub fn joins(&self) -> &BTreeMap<StateId, Joins> {
         &self.joins
     }
@@ -190,16 +227,31 @@ impl Plan {
     fn check(&mut self, figure: &FigurePlan) -> Result<(), PlanError> {
         match &figure.shape {
             Shape::Curve { state, points, .. } => {
-                let expected = self.control_points(figure, *state)?;
-                if points.len() != expected {
-                    let found = points.len();
-                    return Err(PlanError::PointCount { figure: figure.to_string(), expected, found });
-                }
-                check_finite(figure, points)?;
+                self.check_points(figure, *state, points)?;
                 self.check_joined(figure, *state)
             }
             Shape::Sheet(sheet) => self.check_sheet(figure, sheet),
+            Shape::Pieces(pieces) => {
+                self.check_points(figure, pieces.state, &pieces.points)?;
+                let found = || joins(&self.automaton, pieces.state);
+                self.joins.entry(pieces.state).or_insert_with(found);
+                Ok(())
+            }
         }
+    }
+
+    fn check_points(
+        &self,
+        figure: &FigurePlan,
+        state: StateId,
+        points: &[[f64; 3]],
+    ) -> Result<(), PlanError> {
+        let expected = self.control_points(figure, state)?;
+        if points.len() != expected {
+            let found = points.len();
+            return Err(PlanError::PointCount { figure: figure.to_string(), expected, found });
+        }
+        check_finite(figure, points)
     }
 
     fn check_sheet(&mut self, figure: &FigurePlan, sheet: &SheetPlan) -> Result<(), PlanError> {

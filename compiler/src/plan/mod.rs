@@ -9,8 +9,9 @@ pub mod evaluate;
 mod figure;
 pub mod lower;
 mod print;
+pub mod size;
 
-pub use figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
+pub use figure::{Depth, Dimension, Each, FigurePlan, PiecesPlan, Plan, PlanError, Shape, SheetPlan};
 
 #[cfg(test)]
 mod tests;

@@ -10,7 +10,7 @@ use crate::ifs::{
     difference_norm,
 };
 
-use super::figure::{Dimension, FigurePlan, Plan, Shape};
+use super::figure::{Depth, Dimension, Each, FigurePlan, PiecesPlan, Plan, Shape};
 
 /// Levels whose counts are printed for a state, at most.
 const PRINTED_LEVELS: u32 = 16;
@@ -44,6 +44,10 @@ fn root_levels(plan: &Plan) -> BTreeMap<StateId, u32> {
                 add(sheet.u, sheet.levels.0);
                 add(sheet.v, sheet.levels.1);
             }
+            Shape::Pieces(pieces) => match pieces.depth {
+                Depth::Level(level) => add(pieces.state, level),
+                Depth::Each(each) => add(pieces.state, each.deepest),
+            },
         }
     }
     roots
@@ -121,13 +125,13 @@ fn write_proofs(f: &mut fmt::Formatter<'_>, plan: &Plan, id: StateId, level: u32
     }
     match plan.joins().get(&id) {
         Some(Joins::Joined) => writeln!(f, "  joins proved: the pieces meet at every level"),
-        Some(Joins::Open(open)) => writeln!(
-            f,
-            "  joins open at level {}: {} against {}",
-            open.level,
-            row_text(&open.left_weights),
-            row_text(&open.right_weights)
-        ),
+        Some(Joins::Open(open)) => {
+            let transforms = &automaton.state(open.state).transforms;
+            let (left, right) = (&transforms[open.left].name, &transforms[open.right].name);
+            let (end, start) = (row_text(&open.left_weights), row_text(&open.right_weights));
+            write!(f, "  joins open at level {}: in state {} ", open.level, open.state.0)?;
+            writeln!(f, "{left} ends at {end}, {right} starts at {start}")
+        }
         Some(Joins::Unproved { levels }) => writeln!(f, "  joins unproved after {levels} levels"),
         Some(Joins::NotSegments { state }) => {
             writeln!(f, "  no curve: state {} is not drawn as segments", state.0)
@@ -140,11 +144,7 @@ fn write_figure(f: &mut fmt::Formatter<'_>, plan: &Plan, figure: &FigurePlan) ->
     write!(f, "figure {figure}: ")?;
     match &figure.shape {
         Shape::Curve { state, level, dimension, .. } => {
-            let dimension = match dimension {
-                Dimension::Plane => "in the plane",
-                Dimension::Space => "in space",
-            };
-            write!(f, "curve of state {} {dimension} at level {level}", state.0)?;
+            write!(f, "curve of state {} {} at level {level}", state.0, dimension_text(*dimension))?;
         }
         Shape::Sheet(sheet) => {
             let kind = if sheet.windows { "sheet" } else { "tensor product" };
@@ -152,9 +152,29 @@ fn write_figure(f: &mut fmt::Formatter<'_>, plan: &Plan, figure: &FigurePlan) ->
             write!(f, "{kind} of states {} and {} at level ({u}, {v})", sheet.u.0, sheet.v.0)?;
             write!(f, " on a net of {} by {}", sheet.net_rows, sheet.net_columns)?;
         }
+        Shape::Pieces(pieces) => write_pieces(f, pieces)?,
     }
     match super::budget::figure_count(plan.automaton(), figure, u32::MAX) {
         Some(counts) => writeln!(f, ": {} elements, {} vertices", counts.elements, counts.vertices),
         None => writeln!(f, ": more elements than can be counted"),
+    }
+}
+
+fn write_pieces(f: &mut fmt::Formatter<'_>, pieces: &PiecesPlan) -> fmt::Result {
+    write!(f, "separate pieces of state {} {}", pieces.state.0, dimension_text(pieces.dimension))?;
+    match pieces.depth {
+        Depth::Level(level) => write!(f, " at level {level}"),
+        Depth::Each(Each { bound, deepest, .. }) => {
+            let sign = if bound.strict { "<" } else { "<=" };
+            let (measure, most) = (bound.measure.word(), bound.most);
+            write!(f, ", each until {measure} {sign} {most} mm, words of up to {deepest} letters")
+        }
+    }
+}
+
+fn dimension_text(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Plane => "in the plane",
+        Dimension::Space => "in space",
     }
 }

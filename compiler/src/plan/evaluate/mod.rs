@@ -1,4 +1,5 @@
-//! Evaluation of figures in doubles: basis tables of curves, points of curves, grids of sheets.
+//! Evaluation of figures in doubles: basis tables of curves, points of curves, grids of sheets, elements of
+//! separate pieces.
 //!
 //! A sheet is evaluated separably (GEOMETRY 4): one basis table a direction, never a Kronecker product, never a
 //! recursion over nets. Sums run in a fixed order, so results are the same bytes on every machine.
@@ -6,8 +7,10 @@
 mod basis;
 mod combine;
 mod curve;
+mod pieces;
 mod sheet;
 
 pub use basis::{Basis, basis};
 pub use curve::curve_points;
+pub use pieces::{DrawnGerm, EachError, PieceElement, PiecesEvaluator, Tile};
 pub use sheet::{SheetEvaluator, TILE_ROWS};

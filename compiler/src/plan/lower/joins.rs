@@ -9,7 +9,7 @@ use crate::hir::tree::{ItemId, ItemKind};
 use crate::ifs::{
     Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join,
 };
-use crate::plan::figure::{FigurePlan, Shape};
+use crate::plan::figure::{Depth, FigurePlan, PiecesPlan, Shape};
 use crate::source::Span;
 use std::collections::BTreeMap;
 
@@ -67,8 +67,9 @@ impl Lowering<'_, '_> {
         self.diagnostics.push(diagnostic.note(note));
     }
 
-    /// Whether the pieces of every figure, and of every ifs used where they must, are proved to meet.
-    pub(super) fn check_joins(&mut self, automaton: &Automaton, figures: &[Planned]) -> bool {
+    /// Whether the pieces of every ifs are proved to meet where they must; a figure whose pieces need not, and do not,
+    /// becomes one of separate pieces.
+    pub(super) fn check_joins(&mut self, automaton: &Automaton, figures: &mut [Planned]) -> bool {
         let mut known: BTreeMap<StateId, Joins> = BTreeMap::new();
         let mut good = true;
         let uses = self.evaluator.must_join().to_vec();
@@ -80,7 +81,7 @@ impl Lowering<'_, '_> {
             let state = StateId(place as u32);
             let verdict = known.entry(state).or_insert_with(|| joins(automaton, state)).clone();
             let at = self.state_span(state);
-            if verdict != Joins::Joined && !said.contains(&(at, state)) {
+            if !is_curve(automaton, state, &verdict) && !said.contains(&(at, state)) {
                 said.push((at, state));
                 good = false;
                 let diagnostic = self.open(automaton, state, &verdict, used.span, &used.why);
@@ -96,36 +97,39 @@ impl Lowering<'_, '_> {
     fn figure_joins(
         &mut self,
         automaton: &Automaton,
-        figure: &FigurePlan,
+        figure: &mut FigurePlan,
         source: &FigureSource,
         known: &mut BTreeMap<StateId, Joins>,
         said: &[(Span, StateId)],
     ) -> bool {
         let named = self.hir.item(source.item).name_span;
         match &figure.shape {
-            Shape::Curve { state, .. } => {
+            Shape::Curve { state, points, level, dimension } => {
                 let verdict = known.entry(*state).or_insert_with(|| joins(automaton, *state)).clone();
-                if verdict != Joins::Joined && !said.iter().any(|(_, other)| other == state) {
-                    let made = self.hir.fabricates.iter().find(|block| block.figure == source.item);
-                    let diagnostic = match made {
-                        Some(block) => {
-                            let why = format!("{} are made of what holds together", block.kind.name());
-                            self.open(automaton, *state, &verdict, block.figure_span, &why)
-                        }
-                        None => {
-                            let why = "figures of separate pieces are not available yet";
-                            Diagnostic {
-                                code: Code::E0001,
-                                ..self.open(automaton, *state, &verdict, named, why)
-                            }
-                        }
-                    };
-                    if !self.diagnostics.contains(&diagnostic) {
-                        self.diagnostics.push(diagnostic);
-                    }
+                if is_curve(automaton, *state, &verdict) {
+                    return true;
                 }
-                verdict == Joins::Joined
+                if said.iter().any(|(_, other)| other == state) {
+                    return false;
+                }
+                let made = self.hir.fabricates.iter().find(|block| block.figure == source.item);
+                let Some(block) = made else {
+                    figure.shape = Shape::Pieces(PiecesPlan {
+                        state: *state,
+                        points: points.clone(),
+                        dimension: *dimension,
+                        depth: Depth::Level(*level),
+                    });
+                    return true;
+                };
+                let why = format!("{} are made of what holds together", block.kind.name());
+                let diagnostic = self.open(automaton, *state, &verdict, block.figure_span, &why);
+                if !self.diagnostics.contains(&diagnostic) {
+                    self.diagnostics.push(diagnostic);
+                }
+                false
             }
+            Shape::Pieces(_) => true,
             Shape::Sheet(sheet) => {
                 let mut good = true;
                 for (state, points) in [(sheet.u, sheet.net_rows), (sheet.v, sheet.net_columns)] {
@@ -158,6 +162,14 @@ impl Lowering<'_, '_> {
         why: &str,
     ) -> Diagnostic {
         let name = &automaton.state(state).name;
+        if let Some(keeping) = keeping(automaton, state) {
+            let keeping = &automaton.state(keeping).name;
+            let message = format!("`{name}` is no curve: `{keeping}` keeps what it draws on the way");
+            let diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
+            return diagnostic.hint(format!(
+                "leave `keep` out of `{keeping}`, or draw what it keeps by an ifs of its own"
+            ));
+        }
         if let Joins::NotSegments { state } = verdict {
             let drawn = &automaton.state(*state).name;
             let message = format!("`{name}` is no curve: `{drawn}` is not drawn as segments");
@@ -229,12 +241,22 @@ impl Lowering<'_, '_> {
     }
 }
 
+/// Whether a state of these joins is a curve: what it keeps on the way would be more than one.
+fn is_curve(automaton: &Automaton, state: StateId, verdict: &Joins) -> bool {
+    *verdict == Joins::Joined && keeping(automaton, state).is_none()
+}
+
+/// The first state a figure leads to that keeps something.
+fn keeping(automaton: &Automaton, state: StateId) -> Option<StateId> {
+    automaton.reachable(state).into_iter().find(|id| !automaton.state(*id).keep.is_empty())
+}
+
 /// Every state a figure stands on, with the first figure that does.
 fn roots(figures: &[Planned]) -> Vec<(StateId, ItemId)> {
     let mut roots = BTreeMap::new();
     for (figure, source) in figures {
         match &figure.shape {
-            Shape::Curve { state, .. } => {
+            Shape::Curve { state, .. } | Shape::Pieces(PiecesPlan { state, .. }) => {
                 roots.entry(*state).or_insert(source.item);
             }
             Shape::Sheet(sheet) => {

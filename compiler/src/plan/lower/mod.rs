@@ -144,10 +144,10 @@ impl Lowering<'_, '_> {
         Some((plan, FigureSource { item, index, level_span: level.span }))
     }
 
-    fn plan(&mut self, figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
+    fn plan(&mut self, mut figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
         let automaton = self.automaton()?;
         self.check_contraction(&automaton, &figures);
-        let joined = self.check_joins(&automaton, &figures);
+        let joined = self.check_joins(&automaton, &mut figures);
         if self.failed || !joined {
             return None;
         }
