@@ -10,6 +10,7 @@ pub mod commands;
 pub mod exit;
 pub mod folder;
 pub mod output;
+mod replace;
 pub mod sources;
 
 use std::ffi::OsString;
@@ -26,6 +27,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     match &cli.command {
         Command::Check(check) => commands::check::check(check, cli.message_format),
         Command::Build(build) => commands::build::build(build, cli.message_format),
+        Command::Fmt(fmt) => commands::fmt::fmt(fmt, cli.message_format),
         Command::Explain(explain) => commands::explain::explain(explain),
     }
 }

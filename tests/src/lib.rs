@@ -11,6 +11,7 @@
 pub mod annotations;
 pub mod designs;
 pub mod imports;
+pub mod layout;
 pub mod outcome;
 pub mod referees;
 pub mod sources;

@@ -46,7 +46,7 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
 }
 
 /// The text of a file; where it is not UTF-8, what stands before the first wrong byte.
-fn decode(bytes: Vec<u8>) -> (String, Option<Diagnostic>) {
+pub(super) fn decode(bytes: Vec<u8>) -> (String, Option<Diagnostic>) {
     let error = match String::from_utf8(bytes) {
         Ok(text) => return (text, None),
         Err(error) => error,
@@ -63,7 +63,7 @@ fn decode(bytes: Vec<u8>) -> (String, Option<Diagnostic>) {
     (text, Some(diagnostic))
 }
 
-fn unreadable(path: &str, error: &ReadError) -> Diagnostic {
+pub(super) fn unreadable(path: &str, error: &ReadError) -> Diagnostic {
     let why = match error {
         ReadError::NotFound => "there is no such file".to_owned(),
         ReadError::OutsideRoot => "it lies outside of the project".to_owned(),
