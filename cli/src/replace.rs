@@ -14,14 +14,14 @@ const NAMES: u32 = 100;
 /// It is no plain file or is write-protected, or the system refuses. The file is as it was then, and nothing lies beside
 /// it.
 pub(crate) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let path = fs::canonicalize(path)?;
-    let old = fs::metadata(&path)?;
+    let old = fs::metadata(path)?;
     if !old.is_file() {
         return Err(io::Error::other("it is no plain file"));
     }
     if old.permissions().readonly() {
         return Err(io::Error::other("it is write-protected"));
     }
+    let path = fs::canonicalize(path)?;
     let (new, file) = beside(&path)?;
     let replaced = fill(file, bytes, &old).and_then(|()| fs::rename(&new, &path));
     if replaced.is_err() {

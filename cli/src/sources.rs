@@ -38,7 +38,7 @@ fn limited(from: impl Read) -> io::Result<Vec<u8>> {
 }
 
 /// What the system says, without its number.
-fn words(error: &io::Error) -> String {
+pub(crate) fn words(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" (os error").next().unwrap_or(&text).to_lowercase()
 }

@@ -95,7 +95,7 @@ fn the_standard_input_goes_to_the_standard_output() {
     assert_eq!(place.stdin(&["--check", "-"], NEAT.as_bytes()).good(), "");
     let done = place.stdin(&["--diff", "-"], UGLY.as_bytes());
     assert!(done.code == Some(1) && done.stdout.contains("\n+let a  = 1\n"), "{done:?}");
-    place.stdin(&["-"], b"let a = (").failed(1, &["E02", "1 error\n"]);
+    place.stdin(&["-"], b"let a = (1").failed(1, &["E0202", "1 error\n"]);
     place.holds(&[]);
 }
 
@@ -106,7 +106,7 @@ fn broken_files_are_left_alone_and_others_are_not() {
     place.write("b.ifs", UGLY);
     place.write("c.ifs", b"let  a = 1 // \xff\n");
     let done = place.fmt(&["a.ifs", "c.ifs", "b.ifs"]);
-    done.failed(1, &["E0203", "a.ifs", "E0101", "c.ifs", "formatted b.ifs\n"]);
+    done.failed(1, &["E0202", "a.ifs", "E0101", "c.ifs", "formatted b.ifs\n"]);
     let checked = run(program().args(["check", "a.ifs"]).current_dir(&place.0));
     assert!(
         done.stderr.starts_with(&checked.stderr),
@@ -117,8 +117,8 @@ fn broken_files_are_left_alone_and_others_are_not() {
     assert_eq!(place.read("a.ifs"), "let  a = (1\n");
     assert_eq!(fs::read(place.0.join("c.ifs")).unwrap(), b"let  a = 1 // \xff\n");
     assert_eq!(place.read("b.ifs"), NEAT);
-    place.fmt(&["--check", "a.ifs"]).failed(1, &["E0203"]);
-    place.fmt(&["--diff", "a.ifs"]).failed(1, &["E0203"]);
+    place.fmt(&["--check", "a.ifs"]).failed(1, &["E0202"]);
+    place.fmt(&["--diff", "a.ifs"]).failed(1, &["E0202"]);
     let short = place.fmt(&["--message-format", "short", "a.ifs"]);
     assert_eq!(short.stderr.lines().count(), 2, "{}", short.stderr);
     place.holds(&["a.ifs", "b.ifs", "c.ifs"]);

@@ -13,7 +13,7 @@ use crate::args::{Fmt, MessageFormat};
 use crate::exit::Exit;
 use crate::output;
 use crate::replace::replace;
-use crate::sources::Disk;
+use crate::sources::{Disk, words};
 
 /// Lays out each file; the gravest exit code of all.
 pub fn fmt(fmt: &Fmt, messages: MessageFormat) -> Exit {
@@ -72,7 +72,7 @@ fn written(path: &str, text: &str) -> Exit {
             Exit::Good
         }
         Err(error) => {
-            output::message(&format!("error: {path} was not formatted: {error}\n"));
+            output::message(&format!("error: {path} was not formatted: {}\n", words(&error)));
             Exit::InputOutput
         }
     }
