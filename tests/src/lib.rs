@@ -13,6 +13,7 @@ pub mod designs;
 pub mod generate;
 pub mod imports;
 pub mod invariants;
+pub mod layout;
 pub mod outcome;
 pub mod referees;
 pub mod sources;

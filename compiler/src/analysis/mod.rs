@@ -10,12 +10,14 @@ mod placed;
 pub mod project;
 mod requirements;
 mod settings;
+mod single;
 
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
 pub use load::{Library, MOST_BYTES, MOST_FILES, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry};
 pub use requirements::{LimitValue, RequirementResult};
 pub(crate) use settings::{field, number, text};
+pub use single::{SingleText, single};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
