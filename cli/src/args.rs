@@ -32,6 +32,10 @@ pub enum Command {
     Check(Check),
     /// Build a design's outputs
     Build(Build),
+    /// Run the tests of designs
+    Test(Test),
+    /// Print the parameters of a design
+    Params(Params),
     /// Explain a diagnostic code
     Explain(Explain),
 }
@@ -66,6 +70,34 @@ pub struct Build {
     /// Make only these outputs, separated by commas; all files where it is not given
     #[arg(long, value_enum, value_delimiter = ',', value_name = "OUTPUT")]
     pub emit: Vec<Emit>,
+}
+
+/// `ifs test`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Test {
+    /// Design files; `-` is the standard input
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+
+    /// Give a parameter another value; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
+}
+
+/// `ifs params`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Params {
+    /// The design file; `-` is the standard input
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+
+    /// As JSON, for programs
+    #[arg(long)]
+    pub json: bool,
+
+    /// Give a parameter another value; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
 }
 
 /// `ifs explain`.
@@ -142,6 +174,8 @@ impl Cli {
         let settings = match &cli.command {
             Command::Check(check) => check.settings.as_slice(),
             Command::Build(build) => build.settings.as_slice(),
+            Command::Test(test) => test.settings.as_slice(),
+            Command::Params(params) => params.settings.as_slice(),
             Command::Explain(_) => &[],
         };
         for (index, setting) in settings.iter().enumerate() {

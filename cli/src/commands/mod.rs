@@ -3,7 +3,9 @@
 pub mod build;
 pub mod check;
 pub mod explain;
+pub mod params;
 mod table;
 mod tell;
+pub mod test;
 
 pub use tell::{Told, tell};

@@ -12,11 +12,13 @@ mod operator;
 mod overrides;
 mod placement;
 mod symbolic;
+mod test;
 
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
 pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceTransform, instance_name};
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
+pub use test::MadeValues;
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};
 use super::value::{Instance, Value};
@@ -61,6 +63,8 @@ pub struct Evaluator<'a> {
     sums: BTreeMap<Span, Vec<Span>>,
     /// Sums found to be neither points nor vectors where one was needed; what is made of them is wrong for their sake.
     wrong_sums: BTreeSet<Span>,
+    /// What is made of figures, for tests.
+    made: Option<&'a MadeValues>,
 }
 
 /// An ifs used where its pieces must join.
@@ -110,6 +114,7 @@ impl<'a> Evaluator<'a> {
             open: BTreeSet::new(),
             sums: BTreeMap::new(),
             wrong_sums: BTreeSet::new(),
+            made: None,
         }
     }
 
