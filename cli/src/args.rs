@@ -34,6 +34,10 @@ pub enum Command {
     Build(Build),
     /// Lay out the text of designs
     Fmt(Fmt),
+    /// Run the tests of designs
+    Test(Test),
+    /// Print the parameters of a design
+    Params(Params),
     /// Explain a diagnostic code
     Explain(Explain),
 }
@@ -84,6 +88,34 @@ pub struct Fmt {
     /// Files, which are changed in place; `-` is the standard input, laid out on the standard output
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+}
+
+/// `ifs test`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Test {
+    /// Design files; `-` is the standard input
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+
+    /// Give a parameter another value; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
+}
+
+/// `ifs params`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Params {
+    /// The design file; `-` is the standard input
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+
+    /// As JSON, for programs
+    #[arg(long)]
+    pub json: bool,
+
+    /// Give a parameter another value; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
 }
 
 /// `ifs explain`.
@@ -160,6 +192,8 @@ impl Cli {
         let settings = match &cli.command {
             Command::Check(check) => check.settings.as_slice(),
             Command::Build(build) => build.settings.as_slice(),
+            Command::Test(test) => test.settings.as_slice(),
+            Command::Params(params) => params.settings.as_slice(),
             Command::Fmt(_) | Command::Explain(_) => &[],
         };
         for (index, setting) in settings.iter().enumerate() {

@@ -30,6 +30,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
         Command::Check(check) => commands::check::check(check, cli.message_format),
         Command::Build(build) => commands::build::build(build, cli.message_format),
         Command::Fmt(fmt) => commands::fmt::fmt(fmt, cli.message_format),
+        Command::Test(test) => commands::test::test(test, cli.message_format),
+        Command::Params(params) => commands::params::params(params, cli.message_format),
         Command::Explain(explain) => commands::explain::explain(explain),
     }
 }

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use ifs_compiler::analysis::{Analysis, analyse};
+use ifs_compiler::analysis::{Analysis, Verdict, analyse, run_tests};
 use ifs_compiler::diagnostic::{Code, Diagnostic, Severity};
 use ifs_compiler::hir::LIBRARY;
 use ifs_compiler::hir::evaluate::Overrides;
@@ -51,6 +51,13 @@ fn analysed(bytes: &[u8], settings: &[(&str, &str)]) -> Analysis {
     let parameters = settings.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
     let overrides = Overrides { parameters: parameters.collect::<BTreeMap<_, _>>(), ..Overrides::default() };
     analyse(&MemoryFiles::default().with("design.ifs", bytes), "design.ifs", &overrides)
+}
+
+/// What the tests of a design find.
+fn tested(analysis: &Analysis) -> Vec<Diagnostic> {
+    let results = run_tests(analysis, &Overrides::default());
+    assert!(results.iter().all(|test| (test.verdict == Verdict::Fails) != test.diagnostics.is_empty()));
+    results.into_iter().flat_map(|result| result.diagnostics).collect()
 }
 
 /// The only diagnostic of an analysis.
@@ -167,7 +174,9 @@ fn every_example_is_without_fault() {
     let examples = sources::files(&root().join("examples"), "ifs");
     assert!(examples.len() > 1);
     for path in examples {
-        let analysis = analysed(&fs::read(&path).unwrap(), &[]);
+        let mut analysis = analysed(&fs::read(&path).unwrap(), &[]);
+        assert!(!analysis.hir.tests.is_empty(), "{} has no test", path.display());
+        analysis.diagnostics.extend(tested(&analysis));
         let said = said(&path.display().to_string(), &analysis);
         assert!(said.is_empty(), "{}", said.join("\n"));
     }
@@ -220,6 +229,7 @@ fn the_designs_in_the_documentation_mean_what_it_says() {
         let settings: Vec<(&str, &str)> =
             words.split_whitespace().filter_map(|word| word.split_once('=')).collect();
         let mut analysis = analysed(block.text.as_bytes(), &settings);
+        analysis.diagnostics.extend(tested(&analysis));
         // A block that names other files shows only that: there are none beside a page.
         if words.split_whitespace().any(|word| word == "files") {
             analysis.diagnostics.retain(|found| !matches!(found.code, Code::E0001 | Code::E0306));

@@ -90,7 +90,7 @@ impl Checker<'_> {
 
     fn takes(&mut self, native: &str, value: &Expr, parameter: &NativeParameter) -> bool {
         let list_of_numbers = match &value.ty {
-            Type::List(element) => element.dimension().is_some(),
+            Type::List(element) => element.dimension().is_some() || **element == Type::Error,
             _ => false,
         };
         let list_of_vectors = matches!(&value.ty, Type::List(element) if element.point_space().is_some());
@@ -136,6 +136,9 @@ impl Checker<'_> {
                 Type::Point(space) => Type::WeightedSum(space),
                 other => other,
             },
+            Native::Mean => Type::Quantity(element(first)?.dimension()?),
+            Native::All | Native::Any => Type::Bool,
+            Native::Close => return self.closeness(values),
             Native::Sqrt => return self.root(&values[0]),
             Native::Min | Native::Max => return self.extreme(native, values),
             Native::Lerp => {
@@ -163,6 +166,18 @@ impl Checker<'_> {
             Native::Sheet => Type::Figure,
             _ => return self.value_type(native, values),
         })
+    }
+
+    /// `close(a, b, within)`: three numbers of one dimension.
+    fn closeness(&mut self, values: &[Expr]) -> Option<Type> {
+        let first = values.first()?;
+        let other = values.iter().find(|value| value.ty.dimension() != first.ty.dimension());
+        let Some(other) = other else { return Some(Type::Bool) };
+        let (a, b) = (self.described(&first.ty), self.described(&other.ty));
+        let message = format!("`close` does not fit {a} and {b}");
+        let diagnostic = Diagnostic::new(Code::E0402, other.span, message).label(b).also(first.span, a);
+        self.report(diagnostic.hint("it takes three numbers of one dimension: `close(a, 2m, 1mm)`"));
+        None
     }
 
     fn root(&mut self, value: &Expr) -> Option<Type> {

@@ -64,6 +64,7 @@ impl Evaluator<'_> {
                 Value::Record(_, fields) => fields.get(*index).cloned().ok_or(Stop::Reported),
                 _ => Err(Stop::Reported),
             },
+            ExprKind::Made(figure, made) => self.made_of(*figure, *made),
             ExprKind::EachField(base, index) => self.each_field(frame, base, *index),
             ExprKind::Index(list, index) => self.element(frame, list, index),
             ExprKind::Slice(list, ranges) => {

@@ -16,6 +16,7 @@ mod operator;
 mod overrides;
 mod placement;
 mod symbolic;
+mod test;
 mod transform;
 mod vectors;
 
@@ -24,6 +25,7 @@ pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
 pub use limits::Limits;
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
+pub use test::MadeValues;
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};
 use super::value::{Instance, Value};
@@ -70,6 +72,8 @@ pub struct Evaluator<'a> {
     wrong_sums: BTreeSet<Span>,
     /// Whether a rounded number went into the weights of the ifs being worked out.
     rounded: bool,
+    /// What is made of figures, for tests.
+    made: Option<&'a MadeValues>,
 }
 
 /// An ifs used where its pieces must join.
@@ -120,6 +124,7 @@ impl<'a> Evaluator<'a> {
             sums: BTreeMap::new(),
             wrong_sums: BTreeSet::new(),
             rounded: false,
+            made: None,
         }
     }
 
