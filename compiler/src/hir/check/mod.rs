@@ -14,6 +14,7 @@ mod native;
 mod native_values;
 mod operator;
 mod placement;
+mod records;
 mod scope;
 mod type_expr;
 
