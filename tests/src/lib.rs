@@ -10,6 +10,7 @@
 
 pub mod annotations;
 pub mod designs;
+pub mod fraction;
 pub mod generate;
 pub mod imports;
 pub mod invariants;

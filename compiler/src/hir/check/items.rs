@@ -31,6 +31,7 @@ impl<'a> Checker<'a> {
                 self.ensure_checked(id, self.items[index].name_span);
             }
         }
+        self.check_records();
         let root = self.modules[0].ast;
         for item in &root.items {
             match &item.kind {

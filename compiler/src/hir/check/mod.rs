@@ -17,6 +17,7 @@ mod native;
 mod native_values;
 mod operator;
 mod placement;
+mod records;
 mod scope;
 mod test;
 mod transform;
