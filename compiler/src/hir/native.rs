@@ -61,7 +61,7 @@ pub enum Takes {
     Net,
     /// A length.
     Length,
-    /// A length, or a vector.
+    /// A length; a vector where it is the only argument.
     LengthOrVector,
     /// A vector.
     Vector,
@@ -80,17 +80,13 @@ impl Takes {
             Takes::Angle => Some(Type::ANGLE),
             Takes::Point => Some(Type::Point(PointSpace::Any)),
             Takes::Points => Some(list(Type::Point(PointSpace::Any))),
-            Takes::Length => Some(Type::LENGTH),
+            Takes::Length | Takes::LengthOrVector => Some(Type::LENGTH),
             Takes::Vector => Some(Type::Vector(PointSpace::Any)),
             Takes::Vertices => Some(list(Type::Point(PointSpace::Any))),
             Takes::Ifs => Some(Type::Ifs),
             Takes::Net => Some(list(list(Type::Point(PointSpace::Space)))),
             Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
-            Takes::Quantity
-            | Takes::QuantityOrList
-            | Takes::Quantities
-            | Takes::List
-            | Takes::LengthOrVector => None,
+            Takes::Quantity | Takes::QuantityOrList | Takes::Quantities | Takes::List => None,
         }
     }
 }

@@ -39,7 +39,8 @@ impl Checker<'_> {
             .map(|parameter| Parameter {
                 name: parameter.name.to_owned(),
                 ty: match parameter.takes {
-                    Takes::LengthOrVector if is_tuple(arguments) => Type::Vector(PointSpace::Any),
+                    // One length alone is no movement: one argument is a vector.
+                    Takes::LengthOrVector if arguments.len() == 1 => Type::Vector(PointSpace::Any),
                     takes => takes.expected().unwrap_or(Type::Error),
                 },
                 required: parameter.required,
@@ -99,7 +100,6 @@ impl Checker<'_> {
                 Takes::QuantityOrList => value.ty.dimension().is_some() || list_of_numbers,
                 Takes::Quantities => list_of_numbers,
                 Takes::List => matches!(value.ty, Type::List(_)),
-                Takes::LengthOrVector => value.ty == Type::LENGTH || matches!(value.ty, Type::Vector(_)),
                 _ => true,
             };
         if !fits {
@@ -107,7 +107,6 @@ impl Checker<'_> {
                 Takes::Quantity => "a number",
                 Takes::QuantityOrList => "a number or a list of numbers",
                 Takes::Quantities => "a list of numbers",
-                Takes::LengthOrVector => "lengths or a vector",
                 _ => "a list",
             };
             let is = self.described(&value.ty);
@@ -191,15 +190,6 @@ impl Checker<'_> {
             }
             _ => None,
         }
-    }
-}
-
-/// Whether the first argument is written as coordinates.
-fn is_tuple(arguments: &[ast::Argument]) -> bool {
-    let kind = arguments.first().map(|argument| &argument.value.kind);
-    match kind {
-        Some(ast::ExprKind::Group(inner)) => matches!(inner.kind, ast::ExprKind::Tuple(_)),
-        kind => matches!(kind, Some(ast::ExprKind::Tuple(_))),
     }
 }
 
