@@ -98,7 +98,7 @@ pub enum Takes {
     Ifs,
     /// A grid of points.
     Net,
-    /// A length, or a vector.
+    /// A length; a vector where it is the only argument.
     LengthOrVector,
     /// Points one by one, or one list of them.
     Vertices,
@@ -113,7 +113,7 @@ impl Takes {
         match self {
             Takes::Number => Some(Type::NUMBER),
             Takes::Angle => Some(Type::ANGLE),
-            Takes::Length => Some(Type::LENGTH),
+            Takes::Length | Takes::LengthOrVector => Some(Type::LENGTH),
             Takes::Point => Some(Type::Point(PointSpace::Any)),
             Takes::Vector => Some(Type::Vector(PointSpace::Any)),
             Takes::Points => Some(list(Type::Point(PointSpace::Any))),
@@ -128,8 +128,7 @@ impl Takes {
             | Takes::Summands
             | Takes::List
             | Takes::Lists
-            | Takes::Plain
-            | Takes::LengthOrVector => None,
+            | Takes::Plain => None,
         }
     }
 }

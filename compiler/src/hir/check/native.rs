@@ -39,7 +39,8 @@ impl Checker<'_> {
             .map(|parameter| Parameter {
                 name: parameter.name.to_owned(),
                 ty: match parameter.takes {
-                    Takes::LengthOrVector if is_tuple(arguments) => Type::Vector(PointSpace::Any),
+                    // One length alone is no movement: one argument is a vector.
+                    Takes::LengthOrVector if arguments.len() == 1 => Type::Vector(PointSpace::Any),
                     takes => takes.expected().unwrap_or(Type::Error),
                 },
                 required: parameter.required,
@@ -105,7 +106,6 @@ impl Checker<'_> {
                     matches!(&value.ty, Type::List(inner) if matches!(**inner, Type::List(_) | Type::Error))
                 }
                 Takes::Plain => value.ty.dimension().is_some() || matches!(value.ty, Type::Bool | Type::Text),
-                Takes::LengthOrVector => value.ty == Type::LENGTH || matches!(value.ty, Type::Vector(_)),
                 _ => true,
             };
         if !fits {
@@ -116,7 +116,6 @@ impl Checker<'_> {
                 Takes::Summands => "a list of numbers, points or vectors",
                 Takes::Lists => "a list of lists",
                 Takes::Plain => "a number, a truth or a text",
-                Takes::LengthOrVector => "lengths or a vector",
                 _ => "a list",
             };
             let is = self.described(&value.ty);
@@ -218,15 +217,6 @@ impl Checker<'_> {
             }
             _ => None,
         }
-    }
-}
-
-/// Whether the first argument is written as coordinates.
-fn is_tuple(arguments: &[ast::Argument]) -> bool {
-    let kind = arguments.first().map(|argument| &argument.value.kind);
-    match kind {
-        Some(ast::ExprKind::Group(inner)) => matches!(inner.kind, ast::ExprKind::Tuple(_)),
-        kind => matches!(kind, Some(ast::ExprKind::Tuple(_))),
     }
 }
 
