@@ -8,6 +8,7 @@ mod library;
 pub mod native;
 pub mod scalar;
 pub mod schema;
+pub mod size;
 pub mod tree;
 pub mod types;
 pub mod value;

@@ -3,6 +3,7 @@
 use super::native::Native;
 use super::scalar::Scalar;
 use super::schema::{ChoiceKind, Measure, SchemaKind};
+use super::size::UntilExpr;
 use super::types::Type;
 use crate::source::{FileId, Span};
 use crate::syntax::ast::Comparison;
@@ -277,6 +278,8 @@ pub enum ExprKind {
     On(Box<Expr>, Box<Expr>, Span),
     /// A figure at a level, in one or two directions.
     At(Box<Expr>, Box<Expr>, Option<Box<Expr>>),
+    /// A figure whose level is found by the size of its elements.
+    Until(Box<Expr>, Box<UntilExpr>),
     /// The same, checked to be of the type of this node.
     Convert(Box<Expr>),
     /// Not understood.

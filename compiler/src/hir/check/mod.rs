@@ -15,6 +15,7 @@ mod operator;
 mod placement;
 mod scope;
 mod type_expr;
+mod until;
 
 use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId};
 use super::types::Type;

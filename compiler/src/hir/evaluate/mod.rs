@@ -12,6 +12,7 @@ mod operator;
 mod overrides;
 mod placement;
 mod symbolic;
+mod until;
 
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
 pub use expression::{quantity_words, words};
