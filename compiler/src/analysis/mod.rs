@@ -12,7 +12,7 @@ mod settings;
 
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
 pub use load::Library;
-pub use placed::{FigureGeometry, figure_geometry};
+pub use placed::{FigureGeometry, figure_geometry, piece_labels};
 pub use requirements::{LimitValue, RequirementResult};
 pub(crate) use settings::{field, number, text};
 
