@@ -10,10 +10,14 @@ use ifs_compiler::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 pub(super) fn table(analysis: &Analysis, files: usize, out: &Path) -> String {
     let mut text = String::new();
     if let Some(lowered) = &analysis.plan {
-        for (figure, count) in lowered.plan.figures().iter().zip(&lowered.counts) {
+        let counted = lowered.plan.figures().iter().zip(&lowered.counts).zip(&lowered.extents);
+        for ((figure, count), extent) in counted {
             let made = analysis.fabrications.iter().any(|made| made.figure == figure.name);
             if !made {
                 row(&mut text, &figure.to_string(), &format!("{} elements", count.elements));
+            }
+            if let Some(sizes) = extent.and_then(|extent| extent.sizes) {
+                row(&mut text, "  sizes", &range([sizes.least, sizes.most].into_iter(), "mm"));
             }
         }
     }

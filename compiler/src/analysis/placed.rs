@@ -6,6 +6,7 @@ use crate::plan::address::{Address, FigureAddresses};
 use crate::plan::evaluate::{PiecesEvaluator, SheetEvaluator, basis, curve_points};
 use crate::plan::{FigurePlan, Plan, Shape};
 use glam::DVec3;
+use std::convert::Infallible;
 
 /// A figure in space, mm.
 #[derive(Clone, Debug)]
@@ -61,6 +62,20 @@ pub(super) fn quad_labels(plan: &Plan, figure: &FigurePlan, rows: u64, columns: 
             Some(label(&address, Some((row as u32, column as u32))))
         })
         .collect()
+}
+
+/// The names of the elements of a figure of separate pieces, in the order of their words.
+pub fn piece_labels(plan: &Plan, figure: &FigurePlan, evaluator: &PiecesEvaluator) -> Vec<Label> {
+    let addresses = FigureAddresses::new(plan.automaton(), figure);
+    let mut labels = Vec::new();
+    let Ok(()) = evaluator.stream(|tile| {
+        for element in tile.elements() {
+            let address = addresses.piece(labels.len() as u64, &element);
+            labels.extend(address.map(|address| label(&address, None)));
+        }
+        Ok::<(), Infallible>(())
+    });
+    labels
 }
 
 fn label(address: &Address, place: Option<(u32, u32)>) -> Label {

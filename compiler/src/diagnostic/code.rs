@@ -117,6 +117,11 @@ codes! {
     E0535 Error "a germ whose shape or measure is impossible",
     E0536 Error "arguments that make no map",
     E0537 Error "a transform of the plane or of space that continues with nothing",
+    E0550 Error "an unknown measure after `until`",
+    E0551 Error "`until` without a largest size",
+    E0552 Error "no level fits between the smallest and the largest size",
+    E0553 Error "`each until` where elements are joined",
+    E0554 Error "elements that have no such size",
 
     // Values.
     E0601 Error "a parameter out of its range",
@@ -132,6 +137,9 @@ codes! {
     E0702 Error "more states than the limit",
     E0703 Error "an evaluation longer than the limit",
     E0704 Error "a list longer than the limit",
+    E0705 Error "a size that is not reached within the limit",
+    E0706 Error "a branch that does not get small enough",
+    E0707 Error "a figure too large to be built",
 
     // Figures and fabrication.
     E0801 Error "a figure without a level",

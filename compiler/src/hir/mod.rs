@@ -9,6 +9,7 @@ pub mod map;
 pub mod native;
 pub mod scalar;
 pub mod schema;
+pub mod size;
 pub mod tree;
 pub mod types;
 pub mod value;

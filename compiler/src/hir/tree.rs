@@ -3,6 +3,7 @@
 use super::native::Native;
 use super::scalar::Scalar;
 use super::schema::{ChoiceKind, Measure, SchemaKind};
+use super::size::UntilExpr;
 use super::types::{PointSpace, Type};
 use super::value::OwnGerm;
 use crate::source::{FileId, Span};
@@ -362,6 +363,8 @@ pub enum ExprKind {
     On(Box<Expr>, Box<Expr>, Span),
     /// A figure at a level, in one or two directions.
     At(Box<Expr>, Box<Expr>, Option<Box<Expr>>),
+    /// A figure whose level is found by the size of its elements.
+    Until(Box<Expr>, Box<UntilExpr>),
     /// The same, checked to be of the type of this node.
     Convert(Box<Expr>),
     /// Not understood.

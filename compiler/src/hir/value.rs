@@ -3,6 +3,7 @@
 use super::map::Map;
 use super::scalar::Scalar;
 use super::schema::ChoiceKind;
+use super::size::Until;
 use super::tree::ItemId;
 use crate::source::Span;
 use std::sync::Arc;
@@ -142,12 +143,14 @@ pub struct Figure {
 }
 
 /// A level and where it is said.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Level {
     /// In the first direction.
     pub u: u32,
     /// In the second direction, where it differs.
     pub v: Option<u32>,
+    /// The size by which the level is to be found, where it is not given; it is 0 until then.
+    pub until: Option<Until>,
     /// Where.
     pub span: Span,
 }

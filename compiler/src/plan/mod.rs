@@ -6,10 +6,12 @@
 pub mod address;
 pub mod budget;
 pub mod evaluate;
+pub mod extent;
 mod figure;
 pub mod lower;
 mod print;
 pub mod size;
+pub mod until;
 
 pub use figure::{Depth, Dimension, Each, FigurePlan, PiecesPlan, Plan, PlanError, Shape, SheetPlan};
 

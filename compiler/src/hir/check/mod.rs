@@ -22,6 +22,7 @@ mod scope;
 mod test;
 mod transform;
 mod type_expr;
+mod until;
 
 use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId, Test};
 use super::types::Type;

@@ -88,11 +88,8 @@ impl Checker<'_> {
             ast::Level::Pair(u, v) => {
                 (self.expect(frame, u, &Type::Int), Some(Box::new(self.expect(frame, v, &Type::Int))))
             }
-            ast::Level::Until { measure, .. } => {
-                let message = "levels chosen by size (`until`) are not available yet";
-                let diagnostic = Diagnostic::new(Code::E0001, measure.span, message).label("a size");
-                self.report(diagnostic.hint("give the level as a number: `at level 4`"));
-                return error_expr(span);
+            ast::Level::Until { each, measure, limit } => {
+                return self.until(frame, figure, *each, measure, limit, span);
             }
         };
         if figure.ty == Type::Error || first.ty == Type::Error {

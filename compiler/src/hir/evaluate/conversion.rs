@@ -134,7 +134,7 @@ impl Evaluator<'_> {
 /// Where the ifs stands that a figure is made of; the whole expression where that is another's matter.
 fn placed(figure: &Expr) -> Span {
     match &figure.kind {
-        ExprKind::At(figure, ..) | ExprKind::Convert(figure) => placed(figure),
+        ExprKind::At(figure, ..) | ExprKind::Until(figure, _) | ExprKind::Convert(figure) => placed(figure),
         ExprKind::On(ifs, ..) => ifs.span,
         _ => figure.span,
     }

@@ -18,6 +18,7 @@ mod placement;
 mod symbolic;
 mod test;
 mod transform;
+mod until;
 mod vectors;
 
 pub use budget::MOST_ELEMENTS;

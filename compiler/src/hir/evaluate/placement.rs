@@ -218,7 +218,7 @@ impl Evaluator<'_> {
             let diagnostic = Diagnostic::new(Code::E0604, span, message).label("two levels");
             return Err(self.report(diagnostic.hint(format!("write `at level {level}`"))));
         }
-        let level = Some(Level { u: level, v: second, span });
+        let level = Some(Level { u: level, v: second, until: None, span });
         Ok(Value::Figure(Arc::new(Figure { level, ..value.as_ref().clone() })))
     }
 

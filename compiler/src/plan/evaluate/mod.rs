@@ -12,5 +12,5 @@ mod sheet;
 
 pub use basis::{Basis, basis};
 pub use curve::curve_points;
-pub use pieces::{DrawnGerm, EachError, PieceElement, PiecesEvaluator, Tile};
+pub use pieces::{DrawnGerm, EachError, GermShape, PieceElement, PiecesEvaluator, Tile};
 pub use sheet::{SheetEvaluator, TILE_ROWS};

@@ -3,18 +3,22 @@
 
 mod joins;
 mod states;
+mod until;
 
 use super::budget::{self, BudgetError, FigureCount};
+use super::extent::{Extent, extent};
 use super::figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::geometry::LARGEST_COORDINATE;
 use crate::hir::evaluate::{Evaluator, Overrides};
+use crate::hir::size::Until;
 use crate::hir::tree::{Hir, ItemId, ItemKind};
 use crate::hir::value::{self, Value};
 use crate::source::Span;
 use states::States;
 
 /// Where a figure of the plan comes from.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FigureSource {
     /// The figure item.
     pub item: ItemId,
@@ -22,6 +26,8 @@ pub struct FigureSource {
     pub index: Option<u32>,
     /// Where its level is said.
     pub level_span: Span,
+    /// The size its level was found by, where it was.
+    pub until: Option<Until>,
 }
 
 /// A plan with the places its figures come from.
@@ -33,6 +39,8 @@ pub struct Lowered {
     pub sources: Vec<FigureSource>,
     /// One for each figure of the plan.
     pub counts: Vec<FigureCount>,
+    /// One for each figure of the plan: how large it is, where it is of separate pieces.
+    pub extents: Vec<Option<Extent>>,
 }
 
 /// The plan of all figures a design declares; `None` after a report of an error.
@@ -41,8 +49,14 @@ pub fn lower<'h>(
     evaluator: &mut Evaluator<'h>,
     overrides: &Overrides,
 ) -> (Option<Lowered>, Vec<Diagnostic>) {
-    let mut lowering =
-        Lowering { hir, evaluator, states: States::default(), diagnostics: Vec::new(), failed: false };
+    let mut lowering = Lowering {
+        hir,
+        evaluator,
+        overrides,
+        states: States::default(),
+        diagnostics: Vec::new(),
+        failed: false,
+    };
     let mut figures = Vec::new();
     // An ifs is checked for all its parameters before a figure asks for some of them: one mistake, said once.
     for (id, _) in hir.project_items().filter(|(_, item)| matches!(item.kind, ItemKind::Ifs(_))) {
@@ -50,7 +64,7 @@ pub fn lower<'h>(
     }
     for (id, item) in hir.own_items() {
         match &item.kind {
-            ItemKind::Figure(_) => figures.extend(lowering.figure(id, overrides)),
+            ItemKind::Figure(_) => figures.extend(lowering.figure(id)),
             ItemKind::Param(_) | ItemKind::Let(_) => {
                 lowering.failed |= lowering.evaluator.global(id).is_err()
             }
@@ -60,7 +74,7 @@ pub fn lower<'h>(
     // A figure of another file is a figure of the design where the design makes something of it.
     for block in &hir.fabricates {
         if hir.item(block.figure).name_span.file != hir.root {
-            figures.extend(lowering.figure(block.figure, overrides));
+            figures.extend(lowering.figure(block.figure));
         }
     }
     let lowered = lowering.plan(figures);
@@ -70,18 +84,16 @@ pub fn lower<'h>(
 struct Lowering<'a, 'h> {
     hir: &'h Hir,
     evaluator: &'a mut Evaluator<'h>,
+    overrides: &'a Overrides,
     states: States,
     diagnostics: Vec<Diagnostic>,
     failed: bool,
 }
 
 impl Lowering<'_, '_> {
-    fn figure(&mut self, id: ItemId, overrides: &Overrides) -> Vec<(FigurePlan, FigureSource)> {
+    fn figure(&mut self, id: ItemId) -> Vec<(FigurePlan, FigureSource)> {
         let name = self.hir.item(id).name.clone();
-        let shift = match &overrides.level_shift {
-            Some((figure, shift)) if *figure == name => *shift,
-            _ => 0,
-        };
+        let shift = self.level_shift(&name);
         let Ok(value) = self.evaluator.global(id) else {
             self.failed = true;
             return Vec::new();
@@ -106,6 +118,14 @@ impl Lowering<'_, '_> {
             }
         }
         planned
+    }
+
+    /// By how much the levels of a figure are read higher or lower.
+    fn level_shift(&self, name: &str) -> i32 {
+        match &self.overrides.level_shift {
+            Some((figure, shift)) if figure == name => *shift,
+            _ => 0,
+        }
     }
 
     fn one(
@@ -141,14 +161,14 @@ impl Lowering<'_, '_> {
             }),
         };
         let plan = FigurePlan { name: name.to_owned(), index, shape };
-        Some((plan, FigureSource { item, index, level_span: level.span }))
+        Some((plan, FigureSource { item, index, level_span: level.span, until: level.until }))
     }
 
     fn plan(&mut self, mut figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
         let automaton = self.automaton()?;
         self.check_contraction(&automaton, &figures);
         let joined = self.check_joins(&automaton, &mut figures);
-        if self.failed || !joined {
+        if self.failed || !joined || !self.find_levels(&automaton, &mut figures) {
             return None;
         }
         let (plans, sources): (Vec<FigurePlan>, Vec<FigureSource>) = figures.into_iter().unzip();
@@ -160,12 +180,37 @@ impl Lowering<'_, '_> {
             }
         };
         match budget::check(&plan, self.evaluator.limits().elements) {
-            Ok(counts) => Some(Lowered { plan, sources, counts }),
+            Ok(counts) => {
+                let extents = self.extents(&plan, &sources)?;
+                Some(Lowered { plan, sources, counts, extents })
+            }
             Err(error) => {
                 self.over_budget(&plan, &error, &sources);
                 None
             }
         }
+    }
+
+    /// How large the figures of separate pieces are; `None` after a report of one that is too large.
+    fn extents(&mut self, plan: &Plan, sources: &[FigureSource]) -> Option<Vec<Option<Extent>>> {
+        let mut extents = Vec::new();
+        let mut good = true;
+        for (figure, source) in plan.figures().iter().zip(sources) {
+            let extent = match &figure.shape {
+                Shape::Pieces(pieces) => Some(extent(plan.automaton(), pieces)),
+                Shape::Curve { .. } | Shape::Sheet(_) => None,
+            };
+            if extent.is_some_and(|extent| !extent.is_within(LARGEST_COORDINATE)) {
+                let reach = LARGEST_COORDINATE / 1e6;
+                let message = format!("`{figure}` reaches further than {reach} km from the origin");
+                let diagnostic = Diagnostic::new(Code::E0707, source.level_span, message);
+                let hint = "let the transforms make smaller copies, or take a lower level";
+                self.diagnostics.push(diagnostic.label("too large").hint(hint));
+                good = false;
+            }
+            extents.push(extent);
+        }
+        good.then_some(extents)
     }
 
     /// What joins and placement leave over: coordinates beyond all bounds.
