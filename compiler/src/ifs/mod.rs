@@ -7,14 +7,18 @@ mod automaton;
 mod contraction;
 mod count;
 mod difference;
+mod equivalence;
 mod germ;
 mod joins;
 mod matrix;
+mod parts;
 mod spectrum;
+mod stated;
 mod words;
 
 pub use automaton::{
-    Automaton, AutomatonError, Boundary, MAX_STATES, Side, State, StateId, StateSpace, StatedJoin, Transform,
+    Automaton, AutomatonError, Boundary, End, MAX_STATES, Side, State, StateId, StateSpace, StatedJoin,
+    Transform,
 };
 pub use contraction::{Contraction, Norm, WORD_BUDGET, contraction};
 pub use count::{Count, count};
@@ -22,6 +26,7 @@ pub use difference::difference_norm;
 pub use germ::{Germ, GermShape};
 pub use joins::{Joins, OpenJoin, joins, windows_join};
 pub use matrix::{Matrix, MatrixError};
+pub use stated::{Apart, Stated, stated_join};
 pub use words::Word;
 
 #[cfg(test)]

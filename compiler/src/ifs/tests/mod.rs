@@ -4,3 +4,4 @@ mod automata;
 mod contractions;
 pub(crate) mod fixtures;
 mod joining;
+mod stating;
