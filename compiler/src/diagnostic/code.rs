@@ -103,6 +103,15 @@ codes! {
     W0509 Warning "the contraction could not be proved",
     E0510 Error "a control net of the wrong shape",
 
+    // Boundaries and stated joins.
+    E0540 Error "a join names what is not there",
+    E0541 Error "a boundary on the wrong points",
+    E0542 Error "a stated join does not hold",
+    E0543 Error "a join of things that cannot be compared",
+    E0544 Error "a stated join could not be proved",
+    E0545 Error "a join leaves open which piece of a boundary is meant",
+    W0546 Warning "a stated join holds only to within rounding",
+
     // Values.
     E0601 Error "a parameter out of its range",
     E0602 Error "an index out of range",

@@ -12,8 +12,10 @@ mod germ;
 mod joins;
 mod matrix;
 mod parts;
+mod patch;
 mod spectrum;
 mod stated;
+mod surface;
 mod words;
 
 pub use automaton::{
@@ -26,7 +28,9 @@ pub use difference::difference_norm;
 pub use germ::{Germ, GermShape};
 pub use joins::{Joins, OpenJoin, joins, windows_join};
 pub use matrix::{Matrix, MatrixError};
+pub use patch::{Adjacency, Patch, PieceEdge};
 pub use stated::{Apart, Stated, stated_join};
+pub use surface::{OpenEdge, SurfaceJoins, surface_joins};
 pub use words::Word;
 
 #[cfg(test)]

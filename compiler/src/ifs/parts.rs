@@ -1,4 +1,5 @@
-//! Parts of what a state draws, each as a linear automaton of its own: the whole, the first vertex of its chain, its last.
+//! Parts of what a state draws, each as a linear automaton of its own: the whole, the ends of its chain, the edges of its
+//! polygon.
 //!
 //! A part draws some vertices at level 0, and at level k+1 what its steps draw at level k, one after the other.
 
@@ -9,6 +10,7 @@ use crate::exact::Rational;
 use super::automaton::{Automaton, End, State, StateId, Transform};
 use super::germ::{Germ, GermShape};
 use super::matrix::Matrix;
+use super::patch::{Adjacency, PieceEdge};
 
 /// What of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -19,6 +21,8 @@ pub(super) enum Part {
     First,
     /// The last vertex of its chain of segments.
     Last,
+    /// An edge of its polygon, by its place, as a chain of segments.
+    Edge(usize),
 }
 
 impl Part {
@@ -44,12 +48,19 @@ pub(super) struct Node {
 #[derive(Default)]
 pub(super) struct Parts {
     pub(super) nodes: Vec<Node>,
+    /// How the edges of polygons go on.
+    pub(super) adjacency: Adjacency,
     places: BTreeMap<(StateId, Part), usize>,
     /// How many nodes have their steps.
     complete: usize,
 }
 
 impl Parts {
+    /// No parts yet, of polygons whose edges go on in this way.
+    pub(super) fn with(adjacency: Adjacency) -> Parts {
+        Parts { adjacency, ..Parts::default() }
+    }
+
     /// The node of a part, with all that it leads to; `None` when there is no such part: no chain of segments.
     pub(super) fn enter(&mut self, automaton: &Automaton, state: StateId, part: Part) -> Option<usize> {
         let place = self.place(automaton, state, part)?;
@@ -60,16 +71,24 @@ impl Parts {
         Some(place)
     }
 
-    fn add_steps(&mut self, automaton: &Automaton, node: usize) -> Option<()> {
+    fn add_steps<'a>(&mut self, automaton: &'a Automaton, node: usize) -> Option<()> {
         let key = self.places.iter().find(|(_, place)| **place == node).map(|(key, _)| *key);
         let (state, part) = key?;
         let transforms = automaton.state(state).transforms.as_slice();
-        let chosen: &[Transform] = match part {
-            Part::Whole => transforms,
-            Part::First => transforms.get(..1)?,
-            Part::Last => transforms.get(transforms.len() - 1..)?,
+        let all =
+            |transforms: &'a [Transform]| transforms.iter().map(|transform| (transform, part)).collect();
+        let chosen: Vec<(&Transform, Part)> = match part {
+            Part::Whole => all(transforms),
+            Part::First => all(transforms.get(..1)?),
+            Part::Last => all(transforms.get(transforms.len() - 1..)?),
+            Part::Edge(edge) => {
+                let chain = self.adjacency.patches.get(&state)?.edges.get(edge)?;
+                let step =
+                    |along: &PieceEdge| Some((transforms.get(along.transform)?, Part::Edge(along.edge)));
+                chain.iter().map(step).collect::<Option<Vec<_>>>()?
+            }
         };
-        for transform in chosen {
+        for (transform, part) in chosen {
             let target = self.place(automaton, transform.target, part)?;
             self.nodes[node].steps.push((target, transform.matrix.clone()));
         }
@@ -99,5 +118,9 @@ fn drawn(state: &State, part: Part) -> Option<(Vec<GermShape>, Vec<Vec<Rational>
         }
         Part::First => Some(end(state.germ.ends()?.0)),
         Part::Last => Some(end(state.germ.ends()?.1)),
+        Part::Edge(edge) => {
+            let (start, end) = state.germ.edge(edge)?;
+            Some((vec![GermShape::Segment], vec![start.to_vec(), end.to_vec()]))
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! An ifs with its arguments worked out: the images of control points as rows of exact weights.
 
+use super::boundary::InstanceBoundary;
 use super::combination::exactly;
 use super::{Evaluator, Frame, Outcome, Stop, words};
 use crate::diagnostic::{Code, Diagnostic};
@@ -27,6 +28,8 @@ pub struct InstanceBody {
     pub keep: Vec<InstanceGerm>,
     /// Where the germ stands.
     pub germ_span: Span,
+    /// Its named boundaries.
+    pub boundaries: Vec<InstanceBoundary>,
 }
 
 /// A germ worked out.
@@ -58,6 +61,7 @@ struct Parts {
     transforms: Vec<(usize, Instance, Vec<Vec<Scalar>>)>,
     germ: (GermShape, Vec<Vec<Scalar>>),
     keep: Vec<(GermShape, Vec<Vec<Scalar>>)>,
+    boundaries: Vec<(Instance, Vec<Vec<Scalar>>)>,
 }
 
 impl Evaluator<'_> {
@@ -73,9 +77,6 @@ impl Evaluator<'_> {
         let parts = self.parts(instance, ifs);
         self.within = outer;
         let parts = parts?;
-        let exact = |row: Vec<Scalar>| -> Outcome<Row> {
-            row.iter().map(|weight| weight.to_rational().ok_or(Stop::Undetermined)).collect()
-        };
         let mut transforms = Vec::new();
         for (index, target, rows) in parts.transforms {
             let transform = &ifs.transforms[index];
@@ -92,12 +93,16 @@ impl Evaluator<'_> {
             let vertices: Outcome<Vec<Row>> = vertices.into_iter().map(exact).collect();
             Ok(InstanceGerm { shape, vertices: vertices? })
         };
+        let boundaries = parts.boundaries.into_iter().zip(&ifs.boundaries);
+        let boundaries =
+            boundaries.map(|((target, rows), declared)| InstanceBoundary::exact(declared, target, rows));
         Ok(InstanceBody {
             control_points: ifs.control_points.len(),
             transforms,
             germ: germ(parts.germ)?,
             keep: parts.keep.into_iter().map(germ).collect::<Outcome<Vec<InstanceGerm>>>()?,
             germ_span: ifs.germ.as_ref().map_or(hir.item(instance.ifs).name_span, |germ| germ.span),
+            boundaries: boundaries.collect::<Outcome<Vec<InstanceBoundary>>>()?,
         })
     }
 
@@ -144,6 +149,13 @@ impl Evaluator<'_> {
                 Err(reason) => stop = Some(reason),
             }
         }
+        let mut boundaries = Vec::new();
+        for boundary in &ifs.boundaries {
+            match self.boundary(&mut frame, boundary) {
+                Ok(done) => boundaries.push(done),
+                Err(reason) => stop = Some(reason),
+            }
+        }
         let germ = ifs.germ.as_ref().ok_or(Stop::Reported)?;
         let germ = self.germ(&mut frame, germ)?;
         let mut keep = Vec::new();
@@ -153,7 +165,7 @@ impl Evaluator<'_> {
         match stop {
             Some(stop) => Err(stop),
             None if transforms.is_empty() => Err(Stop::Reported),
-            None => Ok(Parts { transforms, germ, keep }),
+            None => Ok(Parts { transforms, germ, keep, boundaries }),
         }
     }
 
@@ -248,7 +260,12 @@ pub fn instance_name(hir: &Hir, instance: &Instance) -> String {
     format!("{}({})", item.name, arguments.collect::<Vec<_>>().join(", "))
 }
 
-fn weights(point: &Combination) -> Outcome<Vec<Scalar>> {
+/// Exact weights of a row that depends on nothing any more.
+pub(super) fn exact(row: Vec<Scalar>) -> Outcome<Row> {
+    row.iter().map(|weight| weight.to_rational().ok_or(Stop::Undetermined)).collect()
+}
+
+pub(super) fn weights(point: &Combination) -> Outcome<Vec<Scalar>> {
     match &point.terms {
         Terms::Weights(weights) => Ok(weights.clone()),
         Terms::Coordinates(_) => Err(Stop::Reported),

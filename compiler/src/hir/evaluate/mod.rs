@@ -1,6 +1,7 @@
 //! The evaluator: from the typed tree to values, with a budget of steps. It never loops for ever, and every failure is a
 //! diagnostic at the expression that failed.
 
+mod boundary;
 mod budget;
 mod combination;
 mod conversion;
@@ -13,6 +14,7 @@ mod overrides;
 mod placement;
 mod symbolic;
 
+pub use boundary::InstanceBoundary;
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};
 pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};

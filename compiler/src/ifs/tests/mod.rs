@@ -5,3 +5,4 @@ mod contractions;
 pub(crate) mod fixtures;
 mod joining;
 mod stating;
+pub(crate) mod surfaces;

@@ -215,7 +215,7 @@ impl Lowering<'_, '_> {
         format!("at level {} they are {} apart", open.level, weights(&apart, &names))
     }
 
-    fn point_names(&self, state: StateId) -> Vec<String> {
+    pub(super) fn point_names(&self, state: StateId) -> Vec<String> {
         let instance = self.states.instances.get(state.index());
         match instance.map(|instance| &self.hir.item(instance.ifs).kind) {
             Some(ItemKind::Ifs(ifs)) => ifs.control_points.clone(),
@@ -223,7 +223,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn state_span(&self, state: StateId) -> Span {
+    pub(super) fn state_span(&self, state: StateId) -> Span {
         let instance = self.states.instances.get(state.index());
         instance.map_or(Span::default(), |instance| self.hir.item(instance.ifs).name_span)
     }
@@ -248,7 +248,7 @@ fn roots(figures: &[Planned]) -> Vec<(StateId, ItemId)> {
 }
 
 /// `1/2 p0 - 1/2 p1`
-fn weights(weights: &[Rational], names: &[String]) -> String {
+pub(super) fn weights(weights: &[Rational], names: &[String]) -> String {
     let mut words = String::new();
     for (weight, name) in weights.iter().zip(names).filter(|(weight, _)| !weight.is_zero()) {
         words.push_str(match (words.is_empty(), weight.is_negative()) {

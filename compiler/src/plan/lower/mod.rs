@@ -2,6 +2,7 @@
 //! be planned.
 
 mod joins;
+mod stated;
 mod states;
 
 use super::budget::{self, BudgetError, FigureCount};
@@ -60,6 +61,7 @@ pub fn lower<'h>(
             _ => {}
         }
     }
+    lowering.enter_stated();
     let lowered = lowering.plan(figures);
     (lowered, lowering.diagnostics)
 }
@@ -145,7 +147,8 @@ impl Lowering<'_, '_> {
         let automaton = self.automaton()?;
         self.check_contraction(&automaton, &figures);
         let joined = self.check_joins(&automaton, &figures);
-        if self.failed || !joined {
+        let stated = self.check_stated(&automaton);
+        if self.failed || !joined || !stated {
             return None;
         }
         let (plans, sources): (Vec<FigurePlan>, Vec<FigureSource>) = figures.into_iter().unzip();
