@@ -96,7 +96,7 @@ codes! {
     E0502 Error "weights that do not sum to 0 where a vector is needed",
     E0503 Error "a transform lists the wrong number of control points",
     E0504 Error "an ifs is placed on the wrong number of control points",
-    E0505 Error "the pieces of a curve do not meet",
+    E0505 Error "the pieces of a curve or a surface do not meet",
     E0506 Error "neighbouring windows of a sheet do not meet",
     E0507 Error "an ifs without germ or without transforms",
     W0508 Warning "the transforms do not contract: there is no limit figure",

@@ -88,7 +88,8 @@ pub(super) fn patch(automaton: &Automaton, state: StateId, segments: &[Segment])
         return None;
     }
     let corners = &automaton.state(state).germ.vertices;
-    let rims = rims(segments, &pairs)?;
+    let classes = corner_classes(segments, &pairs);
+    let rims = rims(segments, &pairs, &classes)?;
     let edges = rims.iter().find_map(|rim| cut_at_corners(segments, rim, corners)).or_else(|| {
         let longest = rims.iter().max_by_key(|rim| rim.len())?;
         cut_at_single_pieces(segments, longest, corners)
@@ -97,22 +98,28 @@ pub(super) fn patch(automaton: &Automaton, state: StateId, segments: &[Segment])
     Some(Patch { glued, edges })
 }
 
-/// The loops of segments that are glued to nothing, each in order. Two follow one another where their ends are one corner
-/// by gluing, not merely by lying at the same place.
-fn rims(segments: &[Segment], pairs: &[(usize, usize)]) -> Option<Vec<Vec<usize>>> {
-    // The start of each segment stands for its corner; the end is the start of the next segment of the same piece.
-    let next_around = |place: usize| {
-        let transform = segments[place].at.transform;
-        match segments.get(place + 1) {
-            Some(next) if next.at.transform == transform => place + 1,
-            _ => place - segments[place].at.edge,
-        }
-    };
+/// The segment that follows one around its piece.
+fn next_around(segments: &[Segment], place: usize) -> usize {
+    let transform = segments[place].at.transform;
+    match segments.get(place + 1) {
+        Some(next) if next.at.transform == transform => place + 1,
+        _ => place - segments[place].at.edge,
+    }
+}
+
+/// The corners of all pieces, each named by the segment that starts there, joined where segments are glued.
+fn corner_classes(segments: &[Segment], pairs: &[(usize, usize)]) -> Classes {
     let mut corners = Classes::new(segments.len());
     for (a, b) in pairs {
-        corners.join(*a, next_around(*b));
-        corners.join(*b, next_around(*a));
+        corners.join(*a, next_around(segments, *b));
+        corners.join(*b, next_around(segments, *a));
     }
+    corners
+}
+
+/// The loops of segments that are glued to nothing, each in order. Two follow one another where their ends are one corner
+/// by gluing, not merely by lying at the same place.
+fn rims(segments: &[Segment], pairs: &[(usize, usize)], corners: &Classes) -> Option<Vec<Vec<usize>>> {
     let glued: BTreeSet<usize> = pairs.iter().flat_map(|(a, b)| [*a, *b]).collect();
     let mut starting: BTreeMap<usize, usize> = BTreeMap::new();
     for place in (0..segments.len()).filter(|place| !glued.contains(place)) {
@@ -123,11 +130,11 @@ fn rims(segments: &[Segment], pairs: &[(usize, usize)]) -> Option<Vec<Vec<usize>
     let mut rims = Vec::new();
     while let Some((_, first)) = starting.pop_first() {
         let mut rim = vec![first];
-        let mut corner = corners.of(next_around(first));
+        let mut corner = corners.of(next_around(segments, first));
         while corner != corners.of(first) {
             let place = starting.remove(&corner)?;
             rim.push(place);
-            corner = corners.of(next_around(place));
+            corner = corners.of(next_around(segments, place));
         }
         rims.push(rim);
     }

@@ -117,6 +117,10 @@ impl<'a> FigureAddresses<'a> {
                 let u = ChainWords::new(automaton, *state, *level);
                 FigureAddresses { figure, u, v: None, windows: (1, 1) }
             }
+            Shape::Patchwork(patchwork) => {
+                let u = ChainWords::new(automaton, patchwork.state, patchwork.level);
+                FigureAddresses { figure, u, v: None, windows: (1, 1) }
+            }
             Shape::Sheet(sheet) => {
                 let windows = |points: usize, state: StateId| {
                     (points + 1).saturating_sub(automaton.state(state).control_points) as u64
@@ -131,7 +135,8 @@ impl<'a> FigureAddresses<'a> {
         }
     }
 
-    /// The address of a curve's segment, by its place along the chain; `None` for a sheet or beyond the end.
+    /// The address of a curve's segment, by its place along the chain, or of a patchwork's polygon, by its place in the
+    /// order of words; `None` for a sheet or beyond the end.
     pub fn segment(&self, element: u64) -> Option<Address> {
         if self.v.is_some() {
             return None;

@@ -14,7 +14,7 @@ pub const MAX_LEVEL: u32 = 1000;
 pub struct FigureCount {
     /// Segments of a curve, quads of a sheet.
     pub elements: u64,
-    /// Vertices, joined ones counted once.
+    /// Vertices, joined ones counted once; of a patchwork, all corners of its polygons.
     pub vertices: u64,
     /// Elements along u and v; a curve has 1 along v.
     pub grid: (u64, u64),
@@ -97,6 +97,7 @@ fn level(figure: &FigurePlan) -> u32 {
     match &figure.shape {
         Shape::Curve { level, .. } => *level,
         Shape::Sheet(sheet) => sheet.levels.0.max(sheet.levels.1),
+        Shape::Patchwork(patchwork) => patchwork.level,
     }
 }
 
@@ -137,6 +138,17 @@ pub(super) fn figure_count(automaton: &Automaton, figure: &FigurePlan, cut: u32)
             let v = along(sheet.v, sheet.net_columns, sheet.levels.1)?;
             let vertices = u.checked_add(1)?.checked_mul(v.checked_add(1)?)?;
             Some(FigureCount { elements: u.checked_mul(v)?, vertices, grid: (u, v) })
+        }
+        Shape::Patchwork(patchwork) => {
+            let level = patchwork.level.min(cut);
+            let elements = chain_count(automaton, patchwork.state, level)?;
+            let corners = automaton
+                .reachable(patchwork.state)
+                .into_iter()
+                .map(|id| automaton.state(id).germ.vertices.len())
+                .max()?;
+            let vertices = elements.checked_mul(corners as u64)?;
+            Some(FigureCount { elements, vertices, grid: (elements, 1) })
         }
     }
 }

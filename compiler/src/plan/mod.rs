@@ -10,7 +10,7 @@ mod figure;
 pub mod lower;
 mod print;
 
-pub use figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
+pub use figure::{Dimension, FigurePlan, PatchworkPlan, Plan, PlanError, Shape, SheetPlan};
 
 #[cfg(test)]
 mod tests;

@@ -44,6 +44,7 @@ fn root_levels(plan: &Plan) -> BTreeMap<StateId, u32> {
                 add(sheet.u, sheet.levels.0);
                 add(sheet.v, sheet.levels.1);
             }
+            Shape::Patchwork(patchwork) => add(patchwork.state, patchwork.level),
         }
     }
     roots
@@ -57,6 +58,10 @@ fn write_state(f: &mut fmt::Formatter<'_>, id: StateId, state: &State) -> fmt::R
         write_matrix(f, &transform.matrix)?;
     }
     write_germ(f, "germ", &state.germ)?;
+    for boundary in &state.boundaries {
+        writeln!(f, "  boundary {} is state {}", boundary.name, boundary.target.0)?;
+        write_matrix(f, &boundary.matrix)?;
+    }
     state.keep.iter().try_for_each(|germ| write_germ(f, "keep", germ))
 }
 
@@ -151,6 +156,12 @@ fn write_figure(f: &mut fmt::Formatter<'_>, plan: &Plan, figure: &FigurePlan) ->
             let (u, v) = sheet.levels;
             write!(f, "{kind} of states {} and {} at level ({u}, {v})", sheet.u.0, sheet.v.0)?;
             write!(f, " on a net of {} by {}", sheet.net_rows, sheet.net_columns)?;
+        }
+        Shape::Patchwork(patchwork) => {
+            let glued = plan.adjacency(patchwork.state).into_iter().flat_map(|found| found.patches.values());
+            let glued: usize = glued.map(|patch| patch.glued.len()).sum();
+            write!(f, "patchwork of state {} at level {}", patchwork.state.0, patchwork.level)?;
+            write!(f, ", {glued} pairs of edges proved to be shared")?;
         }
     }
     match super::budget::figure_count(plan.automaton(), figure, u32::MAX) {

@@ -84,11 +84,11 @@ impl Checker<'_> {
         if ifs.members.iter().any(|member| member.kind == ast::MemberKind::Error) {
             return;
         }
-        for boundary in &typed.boundaries {
-            if let Some(other) = typed.transforms.iter().find(|other| other.name == boundary.name) {
-                let (a, b) = (boundary.name_span, other.name_span);
+        for transform in &typed.transforms {
+            if let Some(other) = typed.boundaries.iter().find(|other| other.name == transform.name) {
+                let (a, b) = (transform.name_span, other.name_span);
                 let (first, again) = if a.start < b.start { (a, b) } else { (b, a) };
-                self.name_taken(&boundary.name, first, again);
+                self.name_taken(&transform.name, first, again);
             }
         }
         for join in &typed.joins {

@@ -6,7 +6,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::Boundary;
-use crate::hir::value::{IfsValue, Instance, Value};
+use crate::hir::value::{GermShape, IfsValue, Instance, Value};
 use crate::source::Span;
 
 /// A boundary worked out.
@@ -35,6 +35,11 @@ impl InstanceBoundary {
 }
 
 impl Evaluator<'_> {
+    /// Whether an ifs with its arguments draws polygons, so that it may be a surface.
+    pub(super) fn draws_polygons(&mut self, instance: &Instance) -> bool {
+        self.instantiate(instance).is_ok_and(|body| body.germ.shape == GermShape::Polygon)
+    }
+
     #[allow(clippy::type_complexity, reason = "a target and its rows")]
     pub(super) fn boundary(
         &mut self,

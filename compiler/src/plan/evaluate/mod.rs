@@ -6,8 +6,10 @@
 mod basis;
 mod combine;
 mod curve;
+mod patchwork;
 mod sheet;
 
 pub use basis::{Basis, basis};
 pub use curve::curve_points;
+pub use patchwork::{Patchwork, patchwork};
 pub use sheet::{SheetEvaluator, TILE_ROWS};

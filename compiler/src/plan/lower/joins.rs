@@ -7,7 +7,8 @@ use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
 use crate::hir::tree::{ItemId, ItemKind};
 use crate::ifs::{
-    Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join,
+    Automaton, Contraction, GermShape, Joins, OpenJoin, StateId, contraction, difference_norm, joins,
+    windows_join,
 };
 use crate::plan::figure::{FigurePlan, Shape};
 use crate::source::Span;
@@ -78,6 +79,9 @@ impl Lowering<'_, '_> {
                 continue;
             };
             let state = StateId(place as u32);
+            if automaton.state(state).germ.shape == GermShape::Polygon {
+                continue;
+            }
             let verdict = known.entry(state).or_insert_with(|| joins(automaton, state)).clone();
             let at = self.state_span(state);
             if verdict != Joins::Joined && !said.contains(&(at, state)) {
@@ -126,6 +130,7 @@ impl Lowering<'_, '_> {
                 }
                 verdict == Joins::Joined
             }
+            Shape::Patchwork(_) => true,
             Shape::Sheet(sheet) => {
                 let mut good = true;
                 for (state, points) in [(sheet.u, sheet.net_rows), (sheet.v, sheet.net_columns)] {
@@ -241,6 +246,9 @@ fn roots(figures: &[Planned]) -> Vec<(StateId, ItemId)> {
                 for state in [sheet.u, sheet.v] {
                     roots.entry(state).or_insert(source.item);
                 }
+            }
+            Shape::Patchwork(patchwork) => {
+                roots.entry(patchwork.state).or_insert(source.item);
             }
         }
     }

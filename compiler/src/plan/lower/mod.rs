@@ -2,6 +2,7 @@
 //! be planned.
 
 mod joins;
+mod patchwork;
 mod stated;
 mod states;
 
@@ -143,8 +144,11 @@ impl Lowering<'_, '_> {
         Some((plan, FigureSource { item, index, level_span: level.span }))
     }
 
-    fn plan(&mut self, figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
+    fn plan(&mut self, mut figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
         let automaton = self.automaton()?;
+        if !self.find_patchworks(&automaton, &mut figures) {
+            return None;
+        }
         self.check_contraction(&automaton, &figures);
         let joined = self.check_joins(&automaton, &figures);
         let stated = self.check_stated(&automaton);

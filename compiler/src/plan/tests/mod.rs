@@ -3,6 +3,7 @@
 mod addresses;
 mod checks;
 mod evaluation;
+mod patchworks;
 mod printed;
 
 use super::{Dimension, FigurePlan, Plan, Shape, SheetPlan};
