@@ -3,7 +3,7 @@
 use crate::fabricate::label::Label;
 use crate::geometry::{Grid, LARGEST_COORDINATE, QuadMesh, grid::Closed};
 use crate::plan::address::{Address, FigureAddresses};
-use crate::plan::evaluate::{PiecesEvaluator, SheetEvaluator, basis, curve_points};
+use crate::plan::evaluate::{PiecesEvaluator, SheetEvaluator, basis, curve_points, patchwork};
 use crate::plan::{FigurePlan, Plan, Shape};
 use glam::DVec3;
 use std::convert::Infallible;
@@ -40,6 +40,13 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
         Shape::Pieces(pieces) => {
             Some(FigureGeometry::Pieces(Box::new(PiecesEvaluator::new(plan.automaton(), pieces))))
         }
+        Shape::Patchwork(plan_of) => {
+            let made = patchwork(plan.automaton(), plan.adjacency(plan_of.state)?, plan_of)?;
+            let vertices = made.vertices.iter().copied().map(DVec3::from_array).collect();
+            let quad = |corners: &[u32]| <[u32; 4]>::try_from(corners).ok();
+            let quads: Option<Vec<[u32; 4]>> = made.polygons().map(quad).collect();
+            QuadMesh::try_new(vertices, quads?).ok().map(FigureGeometry::Surface)
+        }
     }
 }
 
@@ -52,9 +59,13 @@ pub(super) fn segment_labels(plan: &Plan, figure: &FigurePlan, count: usize) -> 
         .collect()
 }
 
-/// The names of a surface's quads, row by row.
+/// The names of a surface's quads, row by row; of a patchwork's in the order of their words.
 pub(super) fn quad_labels(plan: &Plan, figure: &FigurePlan, rows: u64, columns: u64) -> Vec<Label> {
     let addresses = FigureAddresses::new(plan.automaton(), figure);
+    if matches!(figure.shape, Shape::Patchwork(_)) {
+        let elements = (0..rows).filter_map(|element| addresses.segment(element));
+        return elements.map(|address| label(&address, None)).collect();
+    }
     let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
     places
         .filter_map(|(row, column)| {

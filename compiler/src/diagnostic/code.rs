@@ -103,7 +103,7 @@ codes! {
     E0502 Error "weights that do not sum to 0 where a vector is needed",
     E0503 Error "a transform lists the wrong number of control points",
     E0504 Error "an ifs is placed on the wrong number of control points",
-    E0505 Error "the pieces of a curve do not meet",
+    E0505 Error "the pieces of a curve or a surface do not meet",
     E0506 Error "neighbouring windows of a sheet do not meet",
     E0507 Error "an ifs without germ or without transforms",
     W0508 Warning "the transforms do not contract: there is no limit figure",
@@ -122,6 +122,15 @@ codes! {
     E0552 Error "no level fits between the smallest and the largest size",
     E0553 Error "`each until` where elements are joined",
     E0554 Error "elements that have no such size",
+
+    // Boundaries and stated joins.
+    E0540 Error "a join names what is not there",
+    E0541 Error "a boundary on the wrong points",
+    E0542 Error "a stated join does not hold",
+    E0543 Error "a join of things that cannot be compared",
+    E0544 Error "a stated join could not be proved",
+    E0545 Error "a join leaves open which piece of a boundary is meant",
+    W0546 Warning "a stated join holds only to within rounding",
 
     // Values.
     E0601 Error "a parameter out of its range",

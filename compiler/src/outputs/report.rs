@@ -28,6 +28,7 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
             .map(|((figure, count), extent)| {
                 let (kind, level) = match &figure.shape {
                     Shape::Curve { level, .. } => ("curve", level.to_string()),
+                    Shape::Patchwork(patchwork) => ("surface", patchwork.level.to_string()),
                     Shape::Sheet(sheet) if sheet.levels.0 == sheet.levels.1 => {
                         ("surface", sheet.levels.0.to_string())
                     }

@@ -126,6 +126,10 @@ impl<'a> FigureAddresses<'a> {
                 let pieces = figure_count(automaton, figure, u32::MAX).map_or(0, |count| count.elements);
                 FigureAddresses { figure, u, v: None, windows: (1, 1), pieces }
             }
+            Shape::Patchwork(patchwork) => {
+                let u = ChainWords::new(automaton, patchwork.state, patchwork.level);
+                FigureAddresses { figure, u, v: None, windows: (1, 1), pieces: 0 }
+            }
             Shape::Sheet(sheet) => {
                 let windows = |points: usize, state: StateId| {
                     (points + 1).saturating_sub(automaton.state(state).control_points) as u64
@@ -141,9 +145,10 @@ impl<'a> FigureAddresses<'a> {
         }
     }
 
-    /// The address of a curve's segment, by its place along the chain; `None` for other figures or beyond the end.
+    /// The address of a curve's segment, by its place along the chain, or of a patchwork's polygon, by its place in the
+    /// order of words; `None` for a sheet or beyond the end.
     pub fn segment(&self, element: u64) -> Option<Address> {
-        if !matches!(self.figure.shape, Shape::Curve { .. }) {
+        if !matches!(self.figure.shape, Shape::Curve { .. } | Shape::Patchwork(_)) {
             return None;
         }
         let word = self.u.names(element)?.into_iter().map(str::to_owned).collect();

@@ -14,7 +14,7 @@ pub const MAX_LEVEL: u32 = 1000;
 pub struct FigureCount {
     /// Segments of a curve, quads of a sheet, germs of pieces with those that are kept.
     pub elements: u64,
-    /// Vertices, joined ones counted once.
+    /// Vertices, joined ones counted once; of a patchwork, all corners of its polygons.
     pub vertices: u64,
     /// Elements along u and v; a curve and pieces have 1 along v.
     pub grid: (u64, u64),
@@ -101,6 +101,7 @@ fn level(figure: &FigurePlan) -> u32 {
             Depth::Level(level) => level,
             Depth::Each(each) => each.deepest,
         },
+        Shape::Patchwork(patchwork) => patchwork.level,
     }
 }
 
@@ -147,6 +148,17 @@ pub(super) fn figure_count(automaton: &Automaton, figure: &FigurePlan, cut: u32)
                 Depth::Level(level) => drawn(automaton, pieces.state, level.min(cut))?,
                 Depth::Each(each) => each.drawn,
             };
+            Some(FigureCount { elements, vertices, grid: (elements, 1) })
+        }
+        Shape::Patchwork(patchwork) => {
+            let level = patchwork.level.min(cut);
+            let elements = chain_count(automaton, patchwork.state, level)?;
+            let corners = automaton
+                .reachable(patchwork.state)
+                .into_iter()
+                .map(|id| automaton.state(id).germ.vertices.len())
+                .max()?;
+            let vertices = elements.checked_mul(corners as u64)?;
             Some(FigureCount { elements, vertices, grid: (elements, 1) })
         }
     }

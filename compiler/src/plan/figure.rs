@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::ifs::{Automaton, Drawn, Joins, StateId, joins, windows_join};
+use crate::ifs::{
+    Adjacency, Automaton, Drawn, Joins, StateId, SurfaceJoins, joins, surface_joins, windows_join,
+};
 
 use super::size::SizeBound;
 
@@ -53,6 +55,21 @@ pub enum Shape {
     Sheet(SheetPlan),
     /// Pieces that do not join.
     Pieces(PiecesPlan),
+    /// Polygons that share their edges.
+    Patchwork(PatchworkPlan),
+}
+
+/// A surface of one ifs with polygon germs, whose pieces are proved to share their edges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatchworkPlan {
+    /// The ifs it runs.
+    pub state: StateId,
+    /// Its control points, in millimetres.
+    pub points: Vec<[f64; 3]>,
+    /// The iteration level.
+    pub level: u32,
+    /// Of the plane or of space.
+    pub dimension: Dimension,
 }
 
 /// A figure whose pieces are drawn one by one and share nothing (LANGUAGE 9): a fern, a column that keeps its trunk.
@@ -106,6 +123,7 @@ pub struct Plan {
     automaton: Automaton,
     figures: Vec<FigurePlan>,
     joins: BTreeMap<StateId, Joins>,
+    surfaces: BTreeMap<StateId, SurfaceJoins>,
 }
 
 /// Why a design is no plan. `figure` is the figure's text: `vault[2]`.
@@ -156,6 +174,13 @@ pub enum PlanError {
         /// What is known of them.
         joins: Joins,
     },
+    /// Polygons that do not share their edges, or are not proved to.
+    NotSurface {
+        /// The figure.
+        figure: String,
+        /// The state.
+        state: StateId,
+    },
 }
 
 impl fmt::Display for PlanError {
@@ -174,6 +199,9 @@ impl fmt::Display for PlanError {
             ),
             PlanError::NotFinite { figure, point } => {
                 write!(f, "control point {point} of `{figure}` has a coordinate beyond all bounds")
+            }
+            PlanError::NotSurface { figure, .. } => {
+                write!(f, "the polygons of `{figure}` are not proved to share their edges")
             }
             PlanError::NotJoined { figure, windows, .. } => {
                 let pieces = if *windows { "neighbouring windows" } else { "pieces" };
@@ -201,7 +229,8 @@ impl Plan {
     /// # Errors
     /// The first [`PlanError`] in the order of figures.
     pub fn try_new(automaton: Automaton, figures: Vec<FigurePlan>) -> Result<Plan, PlanError> {
-        let mut plan = Plan { automaton, figures: Vec::new(), joins: BTreeMap::new() };
+        let mut plan =
+            Plan { automaton, figures: Vec::new(), joins: BTreeMap::new(), surfaces: BTreeMap::new() };
         for figure in figures {
             plan.check(&figure)?;
             plan.figures.push(figure);
@@ -224,6 +253,14 @@ impl Plan {
         &self.joins
     }
 
+    /// How the polygons of a patchwork of this state share their edges; `None` when no figure of the plan is one.
+    pub fn adjacency(&self, state: StateId) -> Option<&Adjacency> {
+        match self.surfaces.get(&state) {
+            Some(SurfaceJoins::Joined(adjacency)) => Some(adjacency),
+            _ => None,
+        }
+    }
+
     fn check(&mut self, figure: &FigurePlan) -> Result<(), PlanError> {
         match &figure.shape {
             Shape::Curve { state, points, .. } => {
@@ -236,6 +273,20 @@ impl Plan {
                 let found = || joins(&self.automaton, pieces.state);
                 self.joins.entry(pieces.state).or_insert_with(found);
                 Ok(())
+            }
+            Shape::Patchwork(patchwork) => {
+                let expected = self.control_points(figure, patchwork.state)?;
+                if patchwork.points.len() != expected {
+                    let found = patchwork.points.len();
+                    return Err(PlanError::PointCount { figure: figure.to_string(), expected, found });
+                }
+                check_finite(figure, &patchwork.points)?;
+                let (automaton, state) = (&self.automaton, patchwork.state);
+                let known = self.surfaces.entry(state).or_insert_with(|| surface_joins(automaton, state));
+                match known {
+                    SurfaceJoins::Joined(_) => Ok(()),
+                    _ => Err(PlanError::NotSurface { figure: figure.to_string(), state }),
+                }
             }
         }
     }

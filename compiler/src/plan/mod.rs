@@ -13,7 +13,9 @@ mod print;
 pub mod size;
 pub mod until;
 
-pub use figure::{Depth, Dimension, Each, FigurePlan, PiecesPlan, Plan, PlanError, Shape, SheetPlan};
+pub use figure::{
+    Depth, Dimension, Each, FigurePlan, PatchworkPlan, PiecesPlan, Plan, PlanError, Shape, SheetPlan,
+};
 
 #[cfg(test)]
 mod tests;

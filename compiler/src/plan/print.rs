@@ -48,6 +48,7 @@ fn root_levels(plan: &Plan) -> BTreeMap<StateId, u32> {
                 Depth::Level(level) => add(pieces.state, level),
                 Depth::Each(each) => add(pieces.state, each.deepest),
             },
+            Shape::Patchwork(patchwork) => add(patchwork.state, patchwork.level),
         }
     }
     roots
@@ -61,6 +62,10 @@ fn write_state(f: &mut fmt::Formatter<'_>, id: StateId, state: &State) -> fmt::R
         write_matrix(f, &transform.matrix)?;
     }
     write_germ(f, "germ", &state.germ)?;
+    for boundary in &state.boundaries {
+        writeln!(f, "  boundary {} is state {}", boundary.name, boundary.target.0)?;
+        write_matrix(f, &boundary.matrix)?;
+    }
     state.keep.iter().try_for_each(|germ| write_germ(f, "keep", germ))
 }
 
@@ -153,6 +158,12 @@ fn write_figure(f: &mut fmt::Formatter<'_>, plan: &Plan, figure: &FigurePlan) ->
             write!(f, " on a net of {} by {}", sheet.net_rows, sheet.net_columns)?;
         }
         Shape::Pieces(pieces) => write_pieces(f, pieces)?,
+        Shape::Patchwork(patchwork) => {
+            let glued = plan.adjacency(patchwork.state).into_iter().flat_map(|found| found.patches.values());
+            let glued: usize = glued.map(|patch| patch.glued.len()).sum();
+            write!(f, "patchwork of state {} at level {}", patchwork.state.0, patchwork.level)?;
+            write!(f, ", {glued} pairs of edges proved to be shared")?;
+        }
     }
     match super::budget::figure_count(plan.automaton(), figure, u32::MAX) {
         Some(counts) => writeln!(f, ": {} elements, {} vertices", counts.elements, counts.vertices),

@@ -87,6 +87,7 @@ pub fn set_level(shape: &mut Shape, to: u32) {
         Shape::Curve { level, .. } => *level = to,
         Shape::Sheet(sheet) => sheet.levels = (to, to),
         Shape::Pieces(pieces) => pieces.depth = Depth::Level(to),
+        Shape::Patchwork(patchwork) => patchwork.level = to,
     }
 }
 
@@ -102,6 +103,12 @@ fn sizes(automaton: &Automaton, shape: &Shape, measure: SizeMeasure) -> Result<S
         Shape::Sheet(_) if measure == SizeMeasure::Length => Err(none),
         Shape::Sheet(sheet) => sheet_sizes(automaton, sheet, measure).ok_or(none),
         Shape::Pieces(pieces) => pieces_sizes(automaton, pieces, measure),
+        // Its polygons are as large as they would be one by one.
+        Shape::Patchwork(patchwork) => {
+            let (state, points, dimension) = (patchwork.state, patchwork.points.clone(), patchwork.dimension);
+            let depth = Depth::Level(patchwork.level);
+            pieces_sizes(automaton, &PiecesPlan { state, points, dimension, depth }, measure)
+        }
     }
 }
 

@@ -33,6 +33,10 @@ impl Evaluator<'_> {
                         self.must_join.push(MustJoin { ifs: ifs.clone(), span: placed(from), why });
                     }
                     Shape::Sheet { .. } if !curve => {}
+                    Shape::Curve { ifs, .. } if self.draws_polygons(ifs) => {
+                        let why = "a Surface is needed here".to_owned();
+                        self.must_join.push(MustJoin { ifs: ifs.clone(), span: placed(from), why });
+                    }
                     _ => {
                         let (needed, is) = if curve { ("Curve", "surface") } else { ("Surface", "curve") };
                         let message = format!("a {needed} is needed, but this figure is a {is}");

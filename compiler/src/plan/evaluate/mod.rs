@@ -7,10 +7,12 @@
 mod basis;
 mod combine;
 mod curve;
+mod patchwork;
 mod pieces;
 mod sheet;
 
 pub use basis::{Basis, basis};
 pub use curve::curve_points;
+pub use patchwork::{Patchwork, patchwork};
 pub use pieces::{DrawnGerm, EachError, GermShape, PieceElement, PiecesEvaluator, Tile};
 pub use sheet::{SheetEvaluator, TILE_ROWS};

@@ -7,7 +7,8 @@ use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
 use crate::hir::tree::{ItemId, ItemKind};
 use crate::ifs::{
-    Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join,
+    Automaton, Contraction, GermShape, Joins, OpenJoin, StateId, contraction, difference_norm, joins,
+    windows_join,
 };
 use crate::plan::figure::{Depth, FigurePlan, PiecesPlan, Shape};
 use crate::source::Span;
@@ -79,6 +80,9 @@ impl Lowering<'_, '_> {
                 continue;
             };
             let state = StateId(place as u32);
+            if automaton.state(state).germ.shape == GermShape::Polygon {
+                continue;
+            }
             let verdict = known.entry(state).or_insert_with(|| joins(automaton, state)).clone();
             let at = self.state_span(state);
             if !is_curve(automaton, state, &verdict) && !said.contains(&(at, state)) {
@@ -129,7 +133,7 @@ impl Lowering<'_, '_> {
                 }
                 false
             }
-            Shape::Pieces(_) => true,
+            Shape::Pieces(_) | Shape::Patchwork(_) => true,
             Shape::Sheet(sheet) => {
                 let mut good = true;
                 for (state, points) in [(sheet.u, sheet.net_rows), (sheet.v, sheet.net_columns)] {
@@ -227,7 +231,7 @@ impl Lowering<'_, '_> {
         format!("at level {} they are {} apart", open.level, weights(&apart, &names))
     }
 
-    fn point_names(&self, state: StateId) -> Vec<String> {
+    pub(super) fn point_names(&self, state: StateId) -> Vec<String> {
         let instance = self.states.instances.get(state.index());
         match instance.map(|instance| &self.hir.item(instance.ifs).kind) {
             Some(ItemKind::Ifs(ifs)) => ifs.control_points.clone(),
@@ -235,7 +239,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn state_span(&self, state: StateId) -> Span {
+    pub(super) fn state_span(&self, state: StateId) -> Span {
         let instance = self.states.instances.get(state.index());
         instance.map_or(Span::default(), |instance| self.hir.item(instance.ifs).name_span)
     }
@@ -264,13 +268,16 @@ fn roots(figures: &[Planned]) -> Vec<(StateId, ItemId)> {
                     roots.entry(state).or_insert(source.item);
                 }
             }
+            Shape::Patchwork(patchwork) => {
+                roots.entry(patchwork.state).or_insert(source.item);
+            }
         }
     }
     roots.into_iter().collect()
 }
 
 /// `1/2 p0 - 1/2 p1`
-fn weights(weights: &[Rational], names: &[String]) -> String {
+pub(super) fn weights(weights: &[Rational], names: &[String]) -> String {
     let mut words = String::new();
     for (weight, name) in weights.iter().zip(names).filter(|(weight, _)| !weight.is_zero()) {
         words.push_str(match (words.is_empty(), weight.is_negative()) {

@@ -2,6 +2,8 @@
 //! be planned.
 
 mod joins;
+mod patchwork;
+mod stated;
 mod states;
 mod until;
 
@@ -77,6 +79,7 @@ pub fn lower<'h>(
             figures.extend(lowering.figure(block.figure));
         }
     }
+    lowering.enter_stated();
     let lowered = lowering.plan(figures);
     (lowered, lowering.diagnostics)
 }
@@ -166,9 +169,13 @@ impl Lowering<'_, '_> {
 
     fn plan(&mut self, mut figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
         let automaton = self.automaton()?;
+        if !self.find_patchworks(&automaton, &mut figures) {
+            return None;
+        }
         self.check_contraction(&automaton, &figures);
         let joined = self.check_joins(&automaton, &mut figures);
-        if self.failed || !joined || !self.find_levels(&automaton, &mut figures) {
+        let stated = self.check_stated(&automaton);
+        if self.failed || !joined || !stated || !self.find_levels(&automaton, &mut figures) {
             return None;
         }
         let (plans, sources): (Vec<FigurePlan>, Vec<FigureSource>) = figures.into_iter().unzip();
@@ -198,7 +205,7 @@ impl Lowering<'_, '_> {
         for (figure, source) in plan.figures().iter().zip(sources) {
             let extent = match &figure.shape {
                 Shape::Pieces(pieces) => Some(extent(plan.automaton(), pieces)),
-                Shape::Curve { .. } | Shape::Sheet(_) => None,
+                Shape::Curve { .. } | Shape::Sheet(_) | Shape::Patchwork(_) => None,
             };
             if extent.is_some_and(|extent| !extent.is_within(LARGEST_COORDINATE)) {
                 let reach = LARGEST_COORDINATE / 1e6;
