@@ -102,6 +102,12 @@ codes! {
     W0508 Warning "the transforms do not contract: there is no limit figure",
     W0509 Warning "the contraction could not be proved",
     E0510 Error "a control net of the wrong shape",
+    E0520 Error "a weight that is not above 0",
+    E0521 Error "scales that do not fit the rail",
+    E0522 Error "a profile that cannot be turned round its axis",
+    E0523 Error "a vertex at infinity",
+    E0524 Error "a closed figure of fewer than three elements",
+    W0525 Warning "planarizing what is planar by construction",
 
     // Values.
     E0601 Error "a parameter out of its range",

@@ -79,6 +79,8 @@ pub struct FigureReport {
     pub level: String,
     /// How many elements it has: segments or quads.
     pub elements: u64,
+    /// Whether its quads are planar whatever its control points are.
+    pub planar_by_construction: bool,
 }
 
 /// What a `fabricate` block made.

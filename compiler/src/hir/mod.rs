@@ -6,6 +6,7 @@ pub mod dimension;
 pub mod evaluate;
 mod library;
 pub mod native;
+pub mod placed;
 pub mod scalar;
 pub mod schema;
 pub mod tree;

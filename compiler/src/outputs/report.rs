@@ -11,7 +11,6 @@ use crate::export::report::{
 use crate::fabricate::label::Label;
 use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 use crate::hir::schema::Measure;
-use crate::plan::Shape;
 use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
 
 /// The report with the parts of each block.
@@ -25,15 +24,14 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
         let counted = lowered.plan.figures().iter().zip(&lowered.counts);
         out.figures = counted
             .map(|(figure, count)| {
-                let (kind, level) = match &figure.shape {
-                    Shape::Curve { level, .. } => ("curve", level.to_string()),
-                    Shape::Sheet(sheet) if sheet.levels.0 == sheet.levels.1 => {
-                        ("surface", sheet.levels.0.to_string())
-                    }
-                    Shape::Sheet(sheet) => ("surface", format!("({}, {})", sheet.levels.0, sheet.levels.1)),
-                };
-                let (name, kind) = (figure.to_string(), kind.to_owned());
-                FigureReport { name, kind, level, elements: count.elements }
+                let shape = &figure.shape;
+                FigureReport {
+                    name: figure.to_string(),
+                    kind: if shape.is_curve() { "curve" } else { "surface" }.to_owned(),
+                    level: shape.level_words(),
+                    elements: count.elements,
+                    planar_by_construction: shape.planar_by_construction(),
+                }
             })
             .collect();
     }

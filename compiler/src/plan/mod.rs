@@ -5,12 +5,20 @@
 
 pub mod address;
 pub mod budget;
+mod chain;
 pub mod evaluate;
 mod figure;
 pub mod lower;
+mod net;
 mod print;
+mod swept;
+mod uses;
 
+pub use chain::ChainPlan;
 pub use figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
+pub use net::NetPlan;
+pub use swept::{Path, Rule, SweptPlan, Turn};
+pub use uses::StateUse;
 
 #[cfg(test)]
 mod tests;

@@ -114,7 +114,29 @@ impl Checker<'_> {
             }
             Native::Tensor => Type::Ifs,
             Native::Sheet => Type::Figure,
+            Native::Chain => Type::Curve,
+            Native::Weighted => return self.weighted(&values[0]),
+            Native::Translation
+            | Native::ScaleTranslation
+            | Native::ProjectiveSum
+            | Native::Revolution
+            | Native::Extrusion => Type::Surface,
         })
+    }
+
+    fn weighted(&mut self, point: &Expr) -> Option<Type> {
+        match &point.ty {
+            Type::Point(PointSpace::Control) => {
+                let message = "the points of an ifs have no weights of their own";
+                let diagnostic =
+                    Diagnostic::new(Code::E0402, point.span, message).label("a point of the ifs");
+                let hint = "give weights where the ifs is placed: `… on (weighted(p, w: 2), …)`";
+                self.report(diagnostic.hint(hint));
+                None
+            }
+            Type::Point(space) => Some(Type::Weighted(*space)),
+            _ => Some(Type::Weighted(PointSpace::Any)),
+        }
     }
 
     fn root(&mut self, value: &Expr) -> Option<Type> {

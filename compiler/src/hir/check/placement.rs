@@ -16,7 +16,7 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         let ifs = self.expect(frame, ifs, &Type::Ifs);
-        let point = Type::Point(PointSpace::Any);
+        let point = Type::Weighted(PointSpace::Any);
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
                 let points: Vec<Expr> =

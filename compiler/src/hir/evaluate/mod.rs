@@ -11,6 +11,8 @@ mod native;
 mod operator;
 mod overrides;
 mod placement;
+mod points;
+mod swept;
 mod symbolic;
 
 pub use budget::{MOST_ELEMENTS, MOST_STEPS};

@@ -2,10 +2,12 @@
 //! be planned.
 
 mod joins;
+mod shapes;
+mod soundness;
 mod states;
 
 use super::budget::{self, BudgetError, FigureCount};
-use super::figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
+use super::figure::{FigurePlan, Plan, PlanError};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::evaluate::{Evaluator, Overrides};
 use crate::hir::tree::{Hir, ItemId, ItemKind};
@@ -25,6 +27,8 @@ pub struct FigureSource {
     pub index: Option<u32>,
     /// Where its level is said.
     pub level_span: Span,
+    /// The expression that made it.
+    pub made: Span,
 }
 
 /// A plan with the places its figures come from.
@@ -113,32 +117,9 @@ impl Lowering<'_, '_> {
         figure: &value::Figure,
         shift: i32,
     ) -> Option<(FigurePlan, FigureSource)> {
-        let Some(level) = figure.level else {
-            let message = format!("the figure `{name}` has no level");
-            let diagnostic = Diagnostic::new(Code::E0801, figure.span, message).label("how deep does it go?");
-            self.diagnostics.push(diagnostic.hint("add a level: `… at level 3`"));
-            return None;
-        };
-        let shifted = |level: u32| level.saturating_add_signed(shift);
-        let shape = match &figure.shape {
-            value::Shape::Curve { ifs, points, dimension } => Shape::Curve {
-                state: self.state(ifs)?,
-                points: points.clone(),
-                level: shifted(level.u),
-                dimension: if *dimension == 2 { Dimension::Plane } else { Dimension::Space },
-            },
-            value::Shape::Sheet { u, v, net, rows, columns, windows } => Shape::Sheet(SheetPlan {
-                u: self.state(u)?,
-                v: self.state(v)?,
-                net_rows: *rows,
-                net_columns: *columns,
-                net: net.clone(),
-                levels: (shifted(level.u), shifted(level.v.unwrap_or(level.u))),
-                windows: *windows,
-            }),
-        };
+        let (shape, level_span) = self.shape(name, figure, shift)?;
         let plan = FigurePlan { name: name.to_owned(), index, shape };
-        Some((plan, FigureSource { item, index, level_span: level.span }))
+        Some((plan, FigureSource { item, index, level_span, made: figure.span }))
     }
 
     fn plan(&mut self, figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
@@ -157,7 +138,7 @@ impl Lowering<'_, '_> {
             }
         };
         match budget::check(&plan, MOST_ELEMENTS) {
-            Ok(counts) => Some(Lowered { plan, sources, counts }),
+            Ok(counts) => self.sound(&plan, &sources, &counts).then_some(Lowered { plan, sources, counts }),
             Err(error) => {
                 self.over_budget(&plan, &error, &sources);
                 None
