@@ -3,7 +3,10 @@
 use crate::fabricate::label::Label;
 use crate::geometry::{Grid, LARGEST_COORDINATE, QuadMesh, grid::Closed};
 use crate::plan::address::{Address, FigureAddresses};
-use crate::plan::evaluate::{PiecesEvaluator, SheetEvaluator, basis, curve_points, patchwork};
+use crate::plan::evaluate::{
+    PiecesEvaluator, PointGrid, SheetEvaluator, basis, chain_points, curve_points, net_points, patchwork,
+    swept_points,
+};
 use crate::plan::{FigurePlan, Plan, Shape};
 use glam::DVec3;
 use std::convert::Infallible;
@@ -11,7 +14,7 @@ use std::convert::Infallible;
 /// A figure in space, mm.
 #[derive(Clone, Debug)]
 pub enum FigureGeometry {
-    /// The points of a chain of segments.
+    /// The points of a chain of segments; of a closed one the first is also the last.
     Curve(Vec<DVec3>),
     /// The quads of a surface, row by row.
     Surface(QuadMesh),
@@ -24,10 +27,7 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
     match &figure.shape {
         Shape::Curve { state, points, level, .. } => {
             let basis = basis(plan.automaton(), *state, *level);
-            let points: Vec<DVec3> =
-                curve_points(&basis, points).into_iter().map(DVec3::from_array).collect();
-            let near = |point: &DVec3| point.abs().max_element() <= LARGEST_COORDINATE && point.is_finite();
-            points.iter().all(near).then_some(FigureGeometry::Curve(points))
+            near(curve_points(&basis, points)).map(FigureGeometry::Curve)
         }
         Shape::Sheet(sheet) => {
             let evaluator = SheetEvaluator::new(plan.automaton(), sheet);
@@ -47,7 +47,29 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
             let quads: Option<Vec<[u32; 4]>> = made.polygons().map(quad).collect();
             QuadMesh::try_new(vertices, quads?).ok().map(FigureGeometry::Surface)
         }
+        Shape::Chain(chain) => {
+            let mut points = chain_points(plan.automaton(), chain);
+            if chain.closed {
+                points.extend(points.first().copied());
+            }
+            near(points).map(FigureGeometry::Curve)
+        }
+        Shape::Net(net) => surface(net_points(plan.automaton(), net), net.closed),
+        Shape::Swept(swept) => surface(swept_points(plan.automaton(), swept), swept.closed()),
     }
+}
+
+/// The points where all of them can be built.
+fn near(points: Vec<[f64; 3]>) -> Option<Vec<DVec3>> {
+    let points: Vec<DVec3> = points.into_iter().map(DVec3::from_array).collect();
+    let near = |point: &DVec3| point.abs().max_element() <= LARGEST_COORDINATE && point.is_finite();
+    points.iter().all(near).then_some(points)
+}
+
+fn surface(grid: PointGrid, (rows, columns): (bool, bool)) -> Option<FigureGeometry> {
+    let points = grid.points.into_iter().map(DVec3::from_array).collect();
+    let grid = Grid::try_new(grid.rows, grid.columns, points).ok()?;
+    grid.into_mesh(Closed { rows, columns }).ok().map(FigureGeometry::Surface)
 }
 
 /// The names of a curve's segments, in order.

@@ -79,6 +79,8 @@ pub struct FigureReport {
     pub level: String,
     /// How many elements it has: segments, quads or germs.
     pub elements: u64,
+    /// Whether its quads are planar whatever its control points are.
+    pub planar_by_construction: bool,
     /// How large it is, where it is of separate pieces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub extent: Option<ExtentReport>,

@@ -7,6 +7,7 @@ pub mod evaluate;
 mod library;
 pub mod map;
 pub mod native;
+pub mod placed;
 pub mod scalar;
 pub mod schema;
 pub mod size;

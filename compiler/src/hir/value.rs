@@ -1,6 +1,7 @@
 //! Values: what expressions become. Immutable and cheap to copy.
 
 use super::map::Map;
+use super::placed::{Chain, Net, Swept};
 use super::scalar::Scalar;
 use super::schema::ChoiceKind;
 use super::size::Until;
@@ -19,6 +20,8 @@ pub enum Value {
     Text(Arc<str>),
     /// A point, a vector, or a weighted sum on the way.
     Combination(Arc<Combination>),
+    /// A point with its weight, above 0.
+    Weighted(Arc<Combination>, f64),
     /// A list.
     List(Arc<Vec<Value>>),
     /// The whole numbers from the first up to below the second.
@@ -182,6 +185,12 @@ pub enum Shape {
         /// Whether every window of the net is used, or the net is just one window.
         windows: bool,
     },
+    /// One ifs on windows of a list, closed, or on points with weights.
+    Chain(Box<Chain>),
+    /// The product of two ifs on a net that is closed or has weights.
+    Net(Box<Net>),
+    /// A surface made of curves.
+    Swept(Box<Swept>),
 }
 
 impl Value {

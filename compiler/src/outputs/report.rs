@@ -26,18 +26,24 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
         let counted = lowered.plan.figures().iter().zip(&lowered.counts).zip(&lowered.extents);
         out.figures = counted
             .map(|((figure, count), extent)| {
-                let (kind, level) = match &figure.shape {
-                    Shape::Curve { level, .. } => ("curve", level.to_string()),
-                    Shape::Patchwork(patchwork) => ("surface", patchwork.level.to_string()),
-                    Shape::Sheet(sheet) if sheet.levels.0 == sheet.levels.1 => {
-                        ("surface", sheet.levels.0.to_string())
-                    }
-                    Shape::Sheet(sheet) => ("surface", format!("({}, {})", sheet.levels.0, sheet.levels.1)),
-                    Shape::Pieces(pieces) => ("figure", depth_words(&pieces.depth)),
+                let shape = &figure.shape;
+                let level = match shape {
+                    Shape::Pieces(pieces) => depth_words(&pieces.depth),
+                    _ => shape.level_words(),
                 };
-                let (name, kind) = (figure.to_string(), kind.to_owned());
-                let extent = extent.as_ref().map(extent_report);
-                FigureReport { name, kind, level, elements: count.elements, extent }
+                let kind = match shape {
+                    Shape::Pieces(_) => "figure",
+                    _ if shape.is_curve() => "curve",
+                    _ => "surface",
+                };
+                FigureReport {
+                    name: figure.to_string(),
+                    kind: kind.to_owned(),
+                    level,
+                    elements: count.elements,
+                    planar_by_construction: shape.planar_by_construction(),
+                    extent: extent.as_ref().map(extent_report),
+                }
             })
             .collect();
     }

@@ -9,6 +9,10 @@ use crate::ifs::{
 
 use super::size::SizeBound;
 
+use super::chain::{ChainPlan, homogeneous};
+use super::net::NetPlan;
+use super::swept::{Path, Rule, SweptPlan};
+
 /// How many coordinates a design gave a figure's points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
@@ -57,6 +61,12 @@ pub enum Shape {
     Pieces(PiecesPlan),
     /// Polygons that share their edges.
     Patchwork(PatchworkPlan),
+    /// A chain of segments over windows, closed, or rational.
+    Chain(ChainPlan),
+    /// A grid of quads that is closed or rational.
+    Net(NetPlan),
+    /// A grid of quads that is planar by construction.
+    Swept(SweptPlan),
 }
 
 /// A surface of one ifs with polygon germs, whose pieces are proved to share their edges.
@@ -163,6 +173,13 @@ pub enum PlanError {
         /// The point, by its place in the list or net.
         point: usize,
     },
+    /// A weight that is not above 0, or not one for each point.
+    Weight {
+        /// The figure.
+        figure: String,
+        /// The point, by its place in the list or net.
+        point: usize,
+    },
     /// Pieces that do not meet, or are not proved to.
     NotJoined {
         /// The figure.
@@ -202,6 +219,9 @@ impl fmt::Display for PlanError {
             }
             PlanError::NotSurface { figure, .. } => {
                 write!(f, "the polygons of `{figure}` are not proved to share their edges")
+            }
+            PlanError::Weight { figure, point } => {
+                write!(f, "control point {point} of `{figure}` has no weight above 0")
             }
             PlanError::NotJoined { figure, windows, .. } => {
                 let pieces = if *windows { "neighbouring windows" } else { "pieces" };
@@ -267,7 +287,6 @@ impl Plan {
                 self.check_points(figure, *state, points)?;
                 self.check_joined(figure, *state)
             }
-            Shape::Sheet(sheet) => self.check_sheet(figure, sheet),
             Shape::Pieces(pieces) => {
                 self.check_points(figure, pieces.state, &pieces.points)?;
                 let found = || joins(&self.automaton, pieces.state);
@@ -288,6 +307,22 @@ impl Plan {
                     _ => Err(PlanError::NotSurface { figure: figure.to_string(), state }),
                 }
             }
+            Shape::Sheet(sheet) => self.check_sheet(figure, sheet, (false, false)),
+            Shape::Chain(chain) => self.check_chain(figure, chain),
+            Shape::Net(net) => {
+                self.check_sheet(figure, &net.sheet, net.closed)?;
+                check_weights(figure, &net.sheet.net, net.weights.as_deref())
+            }
+            Shape::Swept(swept) => {
+                swept.curves().try_for_each(|curve| self.check_chain(figure, curve))?;
+                match &swept.path {
+                    Path::Rail(rail, Rule::Scaled(scale)) if scale.len() != rail.points.len() => {
+                        let (expected, found) = (rail.points.len(), scale.len());
+                        Err(PlanError::PointCount { figure: figure.to_string(), expected, found })
+                    }
+                    _ => Ok(()),
+                }
+            }
         }
     }
 
@@ -305,7 +340,31 @@ impl Plan {
         check_finite(figure, points)
     }
 
-    fn check_sheet(&mut self, figure: &FigurePlan, sheet: &SheetPlan) -> Result<(), PlanError> {
+    fn check_chain(&mut self, figure: &FigurePlan, chain: &ChainPlan) -> Result<(), PlanError> {
+        let expected = self.control_points(figure, chain.state)?;
+        let found = chain.points.len();
+        if if chain.windows { found < expected } else { found != expected } {
+            return Err(PlanError::PointCount { figure: figure.to_string(), expected, found });
+        }
+        check_finite(figure, &chain.points)?;
+        check_weights(figure, &chain.points, chain.weights.as_deref())?;
+        self.check_joined(figure, chain.state)?;
+        if chain.closed || found > expected { self.check_windows(figure, chain.state) } else { Ok(()) }
+    }
+
+    fn check_windows(&self, figure: &FigurePlan, state: StateId) -> Result<(), PlanError> {
+        match windows_join(&self.automaton, state) {
+            Joins::Joined => Ok(()),
+            joins => Err(PlanError::NotJoined { figure: figure.to_string(), state, windows: true, joins }),
+        }
+    }
+
+    fn check_sheet(
+        &mut self,
+        figure: &FigurePlan,
+        sheet: &SheetPlan,
+        closed: (bool, bool),
+    ) -> Result<(), PlanError> {
         let window = (self.control_points(figure, sheet.u)?, self.control_points(figure, sheet.v)?);
         let net = (sheet.net_rows, sheet.net_columns);
         let fits = if sheet.windows { net.0 >= window.0 && net.1 >= window.1 } else { net == window };
@@ -314,18 +373,12 @@ impl Plan {
             return Err(PlanError::NetSize { figure: figure.to_string(), window, net, points });
         }
         check_finite(figure, &sheet.net)?;
-        for (state, points, window) in [(sheet.u, net.0, window.0), (sheet.v, net.1, window.1)] {
+        for (state, points, window, closed) in
+            [(sheet.u, net.0, window.0, closed.0), (sheet.v, net.1, window.1, closed.1)]
+        {
             self.check_joined(figure, state)?;
-            if points > window {
-                let joins = windows_join(&self.automaton, state);
-                if joins != Joins::Joined {
-                    return Err(PlanError::NotJoined {
-                        figure: figure.to_string(),
-                        state,
-                        windows: true,
-                        joins,
-                    });
-                }
+            if closed || points > window {
+                self.check_windows(figure, state)?;
             }
         }
         Ok(())
@@ -349,6 +402,19 @@ impl Plan {
 
 fn check_finite(figure: &FigurePlan, points: &[[f64; 3]]) -> Result<(), PlanError> {
     match points.iter().position(|point| point.iter().any(|coordinate| !coordinate.is_finite())) {
+        Some(point) => Err(PlanError::NotFinite { figure: figure.to_string(), point }),
+        None => Ok(()),
+    }
+}
+
+fn check_weights(figure: &FigurePlan, points: &[[f64; 3]], weights: Option<&[f64]>) -> Result<(), PlanError> {
+    let Some(weights) = weights else { return Ok(()) };
+    let wrong = weights.iter().position(|weight| !(*weight > 0.0 && weight.is_finite()));
+    if let Some(point) = wrong.or((weights.len() != points.len()).then_some(weights.len())) {
+        return Err(PlanError::Weight { figure: figure.to_string(), point });
+    }
+    let rows = homogeneous(points, weights);
+    match rows.iter().position(|row| row.iter().any(|entry| !entry.is_finite())) {
         Some(point) => Err(PlanError::NotFinite { figure: figure.to_string(), point }),
         None => Ok(()),
     }

@@ -6,9 +6,13 @@ use crate::hir::size::{SizeBound, SizeMeasure};
 use crate::ifs::{Automaton, GermShape, StateId};
 
 use super::budget::{MAX_LEVEL, figure_count};
-use super::evaluate::{PiecesEvaluator, SheetEvaluator, TILE_ROWS, basis, curve_points};
+use super::evaluate::{
+    PiecesEvaluator, PointGrid, SheetEvaluator, TILE_ROWS, basis, chain_points, curve_points, net_points,
+    swept_points,
+};
 use super::figure::{Depth, FigurePlan, PiecesPlan, Shape, SheetPlan};
 use super::size::{SizeRange, distance};
+use super::swept::Path;
 
 /// Elements looked at over all levels, in limits of one level.
 const LEVELS_OF_WORK: u64 = 4;
@@ -88,6 +92,14 @@ pub fn set_level(shape: &mut Shape, to: u32) {
         Shape::Sheet(sheet) => sheet.levels = (to, to),
         Shape::Pieces(pieces) => pieces.depth = Depth::Level(to),
         Shape::Patchwork(patchwork) => patchwork.level = to,
+        Shape::Chain(chain) => chain.level = to,
+        Shape::Net(net) => net.sheet.levels = (to, to),
+        Shape::Swept(swept) => {
+            swept.profile.level = to;
+            if let Path::Rail(rail, _) = &mut swept.path {
+                rail.level = to;
+            }
+        }
     }
 }
 
@@ -100,7 +112,17 @@ fn sizes(automaton: &Automaton, shape: &Shape, measure: SizeMeasure) -> Result<S
             let lengths = vertices.windows(2).map(|ends| SizeRange::one(distance(ends[0], ends[1])));
             lengths.reduce(SizeRange::with).ok_or(none)
         }
-        Shape::Sheet(_) if measure == SizeMeasure::Length => Err(none),
+        Shape::Chain(chain) => {
+            let mut vertices = chain_points(automaton, chain);
+            vertices.extend(vertices.first().copied().filter(|_| chain.closed));
+            let lengths = vertices.windows(2).map(|ends| SizeRange::one(distance(ends[0], ends[1])));
+            lengths.reduce(SizeRange::with).ok_or(none)
+        }
+        Shape::Sheet(_) | Shape::Net(_) | Shape::Swept(_) if measure == SizeMeasure::Length => Err(none),
+        Shape::Net(net) => grid_sizes(&net_points(automaton, net), net.closed, measure).ok_or(none),
+        Shape::Swept(swept) => {
+            grid_sizes(&swept_points(automaton, swept), swept.closed(), measure).ok_or(none)
+        }
         Shape::Sheet(sheet) => sheet_sizes(automaton, sheet, measure).ok_or(none),
         Shape::Pieces(pieces) => pieces_sizes(automaton, pieces, measure),
         // Its polygons are as large as they would be one by one.
@@ -129,6 +151,24 @@ fn sheet_sizes(automaton: &Automaton, sheet: &SheetPlan, measure: SizeMeasure) -
         }
         Ok::<(), Infallible>(())
     });
+    all
+}
+
+/// The same of a grid that may be closed.
+fn grid_sizes(grid: &PointGrid, closed: (bool, bool), measure: SizeMeasure) -> Option<SizeRange> {
+    let mut all: Option<SizeRange> = None;
+    let mut add = |found: Option<SizeRange>| {
+        all = [all, found].into_iter().flatten().reduce(SizeRange::with);
+    };
+    let round = |row: &[[f64; 3]]| -> Vec<[f64; 3]> {
+        row.iter().chain(row.first().filter(|_| closed.1)).copied().collect()
+    };
+    let mut above: Vec<[f64; 3]> = Vec::new();
+    let rows = grid.points.chunks_exact(grid.columns);
+    for row in rows.clone().chain(rows.take(usize::from(closed.0))).map(round) {
+        row_sizes(&above, &row, measure, &mut add);
+        above = row;
+    }
     all
 }
 

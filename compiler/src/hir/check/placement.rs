@@ -17,7 +17,7 @@ impl Checker<'_> {
     ) -> Expr {
         let ifs = self.expect(frame, ifs, &Type::Ifs);
         let space = self.ifs_space(&ifs);
-        let point = Type::Point(PointSpace::Any);
+        let point = Type::Weighted(PointSpace::Any);
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
                 let points: Vec<Expr> =

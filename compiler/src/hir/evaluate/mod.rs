@@ -16,6 +16,8 @@ mod native;
 mod operator;
 mod overrides;
 mod placement;
+mod points;
+mod swept;
 mod symbolic;
 mod test;
 mod transform;

@@ -134,18 +134,23 @@ impl Lowering<'_, '_> {
                 false
             }
             Shape::Pieces(_) | Shape::Patchwork(_) => true,
-            Shape::Sheet(sheet) => {
+            shape => {
                 let mut good = true;
-                for (state, points) in [(sheet.u, sheet.net_rows), (sheet.v, sheet.net_columns)] {
-                    if points <= automaton.state(state).control_points {
-                        continue;
-                    }
-                    let verdict = windows_join(automaton, state);
-                    let instance = self.states.instances.get(state.index());
-                    let used = self.evaluator.must_join().iter().find(|used| Some(&used.ifs) == instance);
-                    let at = used.map_or(named, |used| used.span);
+                for used in shape.uses().into_iter().filter(|used| used.has_neighbours(automaton)) {
+                    let verdict = windows_join(automaton, used.state);
+                    let instance = self.states.instances.get(used.state.index());
+                    // Of several uses of the ifs, the one in this figure.
+                    let uses = || self.evaluator.must_join().iter().filter(|at| Some(&at.ifs) == instance);
+                    let inside = |at: Span| {
+                        at.file == source.made.file
+                            && source.made.start <= at.start
+                            && at.end <= source.made.end
+                    };
+                    let place = uses().find(|place| inside(place.span)).or_else(|| uses().next());
+                    let at = place.map_or(named, |place| place.span);
                     if verdict != Joins::Joined {
-                        let diagnostic = self.open_windows(automaton, state, &verdict, at);
+                        let falls = if shape.is_curve() { "chain" } else { "sheet" };
+                        let diagnostic = self.open_windows(automaton, used.state, &verdict, falls, at);
                         if !self.diagnostics.contains(&diagnostic) {
                             self.diagnostics.push(diagnostic);
                         }
@@ -207,10 +212,19 @@ impl Lowering<'_, '_> {
             .hint(format!("give the last image of `{left}` and the first image of `{right}` the same point"))
     }
 
-    fn open_windows(&self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span) -> Diagnostic {
+    fn open_windows(
+        &self,
+        automaton: &Automaton,
+        state: StateId,
+        verdict: &Joins,
+        falls: &str,
+        at: Span,
+    ) -> Diagnostic {
         let name = &automaton.state(state).name;
-        let message = format!("neighbouring windows of the net do not meet with `{name}`");
-        let mut diagnostic = Diagnostic::new(Code::E0506, at, message).label("this sheet falls into pieces");
+        let points = if falls == "chain" { "list" } else { "net" };
+        let message = format!("neighbouring windows of the {points} do not meet with `{name}`");
+        let mut diagnostic =
+            Diagnostic::new(Code::E0506, at, message).label(format!("this {falls} falls into pieces"));
         if let Joins::Open(open) = verdict {
             let mut names = self.point_names(state);
             names.push("the next point".to_owned());
@@ -221,7 +235,10 @@ impl Lowering<'_, '_> {
                 diagnostic = diagnostic.also(germ, "what is drawn of each window");
             }
         }
-        diagnostic.hint("use a B-spline such as `bspline3`, or `tensor` on a net of just one window")
+        diagnostic.hint(match falls {
+            "chain" => "use a B-spline such as `bspline3`, or place the ifs on just one window",
+            _ => "use a B-spline such as `bspline3`, or `tensor` on a net of just one window",
+        })
     }
 
     fn difference(&self, open: &OpenJoin) -> String {
@@ -259,18 +276,8 @@ fn keeping(automaton: &Automaton, state: StateId) -> Option<StateId> {
 fn roots(figures: &[Planned]) -> Vec<(StateId, ItemId)> {
     let mut roots = BTreeMap::new();
     for (figure, source) in figures {
-        match &figure.shape {
-            Shape::Curve { state, .. } | Shape::Pieces(PiecesPlan { state, .. }) => {
-                roots.entry(*state).or_insert(source.item);
-            }
-            Shape::Sheet(sheet) => {
-                for state in [sheet.u, sheet.v] {
-                    roots.entry(state).or_insert(source.item);
-                }
-            }
-            Shape::Patchwork(patchwork) => {
-                roots.entry(patchwork.state).or_insert(source.item);
-            }
+        for used in figure.shape.uses() {
+            roots.entry(used.state).or_insert(source.item);
         }
     }
     roots.into_iter().collect()

@@ -3,13 +3,15 @@
 
 mod joins;
 mod patchwork;
+mod shapes;
+mod soundness;
 mod stated;
 mod states;
 mod until;
 
 use super::budget::{self, BudgetError, FigureCount};
 use super::extent::{Extent, extent};
-use super::figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
+use super::figure::{FigurePlan, Plan, PlanError, Shape};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::geometry::LARGEST_COORDINATE;
 use crate::hir::evaluate::{Evaluator, Overrides};
@@ -30,6 +32,8 @@ pub struct FigureSource {
     pub level_span: Span,
     /// The size its level was found by, where it was.
     pub until: Option<Until>,
+    /// The expression that made it.
+    pub made: Span,
 }
 
 /// A plan with the places its figures come from.
@@ -139,32 +143,10 @@ impl Lowering<'_, '_> {
         figure: &value::Figure,
         shift: i32,
     ) -> Option<(FigurePlan, FigureSource)> {
-        let Some(level) = figure.level else {
-            let message = format!("the figure `{name}` has no level");
-            let diagnostic = Diagnostic::new(Code::E0801, figure.span, message).label("how deep does it go?");
-            self.diagnostics.push(diagnostic.hint("add a level: `… at level 3`"));
-            return None;
-        };
-        let shifted = |level: u32| level.saturating_add_signed(shift);
-        let shape = match &figure.shape {
-            value::Shape::Curve { ifs, points, dimension } => Shape::Curve {
-                state: self.state(ifs)?,
-                points: points.clone(),
-                level: shifted(level.u),
-                dimension: if *dimension == 2 { Dimension::Plane } else { Dimension::Space },
-            },
-            value::Shape::Sheet { u, v, net, rows, columns, windows } => Shape::Sheet(SheetPlan {
-                u: self.state(u)?,
-                v: self.state(v)?,
-                net_rows: *rows,
-                net_columns: *columns,
-                net: net.clone(),
-                levels: (shifted(level.u), shifted(level.v.unwrap_or(level.u))),
-                windows: *windows,
-            }),
-        };
+        let (shape, level_span) = self.shape(name, figure, shift)?;
         let plan = FigurePlan { name: name.to_owned(), index, shape };
-        Some((plan, FigureSource { item, index, level_span: level.span, until: level.until }))
+        let until = figure.level.and_then(|level| level.until);
+        Some((plan, FigureSource { item, index, level_span, until, made: figure.span }))
     }
 
     fn plan(&mut self, mut figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
@@ -188,6 +170,9 @@ impl Lowering<'_, '_> {
         };
         match budget::check(&plan, self.evaluator.limits().elements) {
             Ok(counts) => {
+                if !self.sound(&plan, &sources, &counts) {
+                    return None;
+                }
                 let extents = self.extents(&plan, &sources)?;
                 Some(Lowered { plan, sources, counts, extents })
             }
@@ -205,7 +190,7 @@ impl Lowering<'_, '_> {
         for (figure, source) in plan.figures().iter().zip(sources) {
             let extent = match &figure.shape {
                 Shape::Pieces(pieces) => Some(extent(plan.automaton(), pieces)),
-                Shape::Curve { .. } | Shape::Sheet(_) | Shape::Patchwork(_) => None,
+                _ => None,
             };
             if extent.is_some_and(|extent| !extent.is_within(LARGEST_COORDINATE)) {
                 let reach = LARGEST_COORDINATE / 1e6;
