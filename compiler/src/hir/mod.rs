@@ -5,7 +5,9 @@ mod check;
 pub mod dimension;
 pub mod evaluate;
 mod library;
+mod library_docs;
 pub mod native;
+mod native_docs;
 pub mod scalar;
 pub mod schema;
 pub mod tree;
@@ -14,3 +16,4 @@ pub mod value;
 
 pub use check::{Checked, ModuleSource, check};
 pub use library::{LIBRARY, library_text};
+pub use library_docs::{ItemDocs, ModuleDocs, library_docs, library_page};
