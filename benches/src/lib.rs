@@ -3,6 +3,8 @@
 // A benchmark that cannot build its design has nothing to measure.
 #![allow(clippy::expect_used)]
 
+pub mod pieces;
+
 use ifs_compiler::exact::Rational;
 use ifs_compiler::ifs::{Automaton, Germ, Matrix, State, StateId, Transform};
 
@@ -39,7 +41,6 @@ fn cubic(name: &str, matrices: [[[i64; 4]; 4]; 2], denominator: i64, germ: [[i64
     };
     let [start, end] = germ.map(|vertex| row(vertex, denominator));
     let transforms = vec![transform("left", matrices[0]), transform("right", matrices[1])];
-    let state =
-        State { name: name.to_owned(), control_points: 4, transforms, germ: Germ::Segment { start, end } };
+    let state = State::new(name.to_owned(), 4, transforms, Germ::segment(start, end));
     Automaton::try_new(vec![state]).expect("rows that sum to 1")
 }
