@@ -89,10 +89,17 @@ fn rows<const N: usize>(entries: &[f64]) -> [[f64; 3]; N] {
     std::array::from_fn(|row| std::array::from_fn(|column| entries[3 * row + column]))
 }
 
-#[inline]
+/// Sums written out: mapping over arrays is not always inlined, which would measure the calls.
+#[inline(always)]
 fn images<const N: usize>(rows: &[[f64; 3]; N], points: &[[f64; 3]; 3]) -> [[f64; 3]; N] {
     let [p, q, r] = points;
-    rows.map(|[a, b, c]| [0, 1, 2].map(|axis| a * p[axis] + b * q[axis] + c * r[axis]))
+    let mut out = [[0.0; 3]; N];
+    for (image, [a, b, c]) in out.iter_mut().zip(rows) {
+        for (axis, value) in image.iter_mut().enumerate() {
+            *value = a * p[axis] + b * q[axis] + c * r[axis];
+        }
+    }
+    out
 }
 
 fn transform(name: &str, target: u32, rows: Vec<Vec<Rational>>) -> Transform {
