@@ -1,9 +1,11 @@
 //! Tests of plans: checks, budgets, evaluation, addresses and the printed form.
 
 mod addresses;
+mod chains;
 mod checks;
 mod evaluation;
 mod printed;
+mod swept;
 
 use super::{Dimension, FigurePlan, Plan, Shape, SheetPlan};
 use crate::ifs::tests::fixtures::*;
