@@ -14,6 +14,7 @@ pub mod generate;
 pub mod imports;
 pub mod invariants;
 pub mod outcome;
+pub mod pages;
 pub mod referees;
 pub mod sources;
 pub mod suite;
