@@ -32,6 +32,12 @@ pub enum Command {
     Check(Check),
     /// Build a design's outputs
     Build(Build),
+    /// Lay out the text of designs
+    Fmt(Fmt),
+    /// Run the tests of designs
+    Test(Test),
+    /// Print the parameters of a design
+    Params(Params),
     /// Explain a diagnostic code
     Explain(Explain),
 }
@@ -66,6 +72,50 @@ pub struct Build {
     /// Make only these outputs, separated by commas; all files where it is not given
     #[arg(long, value_enum, value_delimiter = ',', value_name = "OUTPUT")]
     pub emit: Vec<Emit>,
+}
+
+/// `ifs fmt`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Fmt {
+    /// Write nothing, name the files that are not laid out, and end with 1 if there are any
+    #[arg(long)]
+    pub check: bool,
+
+    /// Write nothing, print what would change, and end with 1 if anything would
+    #[arg(long)]
+    pub diff: bool,
+
+    /// Files, which are changed in place; `-` is the standard input, laid out on the standard output
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+}
+
+/// `ifs test`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Test {
+    /// Design files; `-` is the standard input
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+
+    /// Give a parameter another value; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
+}
+
+/// `ifs params`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Params {
+    /// The design file; `-` is the standard input
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+
+    /// As JSON, for programs
+    #[arg(long)]
+    pub json: bool,
+
+    /// Give a parameter another value; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub settings: Vec<Setting>,
 }
 
 /// `ifs explain`.
@@ -142,7 +192,9 @@ impl Cli {
         let settings = match &cli.command {
             Command::Check(check) => check.settings.as_slice(),
             Command::Build(build) => build.settings.as_slice(),
-            Command::Explain(_) => &[],
+            Command::Test(test) => test.settings.as_slice(),
+            Command::Params(params) => params.settings.as_slice(),
+            Command::Fmt(_) | Command::Explain(_) => &[],
         };
         for (index, setting) in settings.iter().enumerate() {
             if settings[..index].iter().any(|earlier| earlier.name == setting.name) {
@@ -191,10 +243,20 @@ mod tests {
     }
 
     #[test]
+    fn fmt_takes_both_flags() {
+        let Command::Fmt(fmt) = read("ifs fmt --check a.ifs --diff - b.ifs").unwrap().command else {
+            panic!("not fmt")
+        };
+        assert!(fmt.check && fmt.diff);
+        assert_eq!(fmt.files.len(), 3);
+    }
+
+    #[test]
     fn wrong_usage_is_told() {
         for (line, part) in [
             ("ifs", "Usage"),
             ("ifs check", "FILE"),
+            ("ifs fmt --check", "FILE"),
             ("ifs build a.ifs b.ifs", "b.ifs"),
             ("ifs build a.ifs --emit png", "png"),
             ("ifs build a.ifs --set span", "a name, `=` and a value"),

@@ -12,6 +12,7 @@ pub mod exit;
 pub mod folder;
 pub mod output;
 pub mod project;
+mod replace;
 pub mod sources;
 
 use std::ffi::OsString;
@@ -28,6 +29,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
     match &cli.command {
         Command::Check(check) => commands::check::check(check, cli.message_format),
         Command::Build(build) => commands::build::build(build, cli.message_format),
+        Command::Fmt(fmt) => commands::fmt::fmt(fmt, cli.message_format),
+        Command::Test(test) => commands::test::test(test, cli.message_format),
+        Command::Params(params) => commands::params::params(params, cli.message_format),
         Command::Explain(explain) => commands::explain::explain(explain),
     }
 }

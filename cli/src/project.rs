@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 use ifs_compiler::analysis::project::{
     ProjectSettings, misspelt_parameters, read_project, unreadable_project,
 };
-use ifs_compiler::analysis::{Analysis, analyse};
+use ifs_compiler::analysis::{Analysis, analyse, read};
 use ifs_compiler::diagnostic::Diagnostic;
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::{FileId, SourceMap};
@@ -46,7 +46,7 @@ impl Project {
             return Err(Exit::Usage);
         };
         if marked {
-            let diagnostics = project.read();
+            let diagnostics = project.read_settings();
             let told = tell(&diagnostics, &project.text, format);
             if told.exit != Exit::Good {
                 return Err(told.exit);
@@ -75,7 +75,7 @@ impl Project {
         Some((Project { disk, shown, settings, text: SourceMap::default() }, is_marked))
     }
 
-    fn read(&mut self) -> Vec<Diagnostic> {
+    fn read_settings(&mut self) -> Vec<Diagnostic> {
         let path = self.shown.join(PROJECT_FILE).display().to_string();
         match text_of(&self.disk.root.join(PROJECT_FILE)) {
             Ok(text) => {
@@ -104,7 +104,15 @@ impl Project {
 
     /// Analyses the design and tells what it finds.
     pub fn analyse(&self, settings: &[Setting], format: MessageFormat) -> Analysed {
-        let analysis = analyse(&self.disk, &self.disk.design, &self.overrides(settings));
+        self.told(analyse(&self.disk, &self.disk.design, &self.overrides(settings)), format)
+    }
+
+    /// Reads the design as far as its typed tree and tells what it finds.
+    pub fn read(&self, settings: &[Setting], format: MessageFormat) -> Analysed {
+        self.told(read(&self.disk, &self.disk.design, &self.overrides(settings)), format)
+    }
+
+    fn told(&self, analysis: Analysis, format: MessageFormat) -> Analysed {
         let sources = self.shown(&analysis.sources);
         let project = tell(&misspelt_parameters(&self.settings, &analysis.hir), &self.text, format);
         let exit = tell(&analysis.diagnostics, &sources, format).exit;

@@ -49,6 +49,11 @@ impl Files for Disk {
 }
 
 impl Disk {
+    /// One file as it was named, without a project around it.
+    pub fn alone(path: &str) -> Disk {
+        Disk { root: PathBuf::new(), design: path.to_owned(), named: path.into() }
+    }
+
     /// Where a file really is, which is inside of the root.
     fn inside(&self, path: &str) -> Result<PathBuf, ReadError> {
         let place = self.root.join(path).canonicalize().map_err(|error| refused(&error))?;
@@ -94,7 +99,7 @@ fn limited(from: impl Read) -> io::Result<Vec<u8>> {
 }
 
 /// What the system says, without its number.
-fn words(error: &io::Error) -> String {
+pub(crate) fn words(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" (os error").next().unwrap_or(&text).to_lowercase()
 }

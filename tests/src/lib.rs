@@ -10,9 +10,11 @@
 
 pub mod annotations;
 pub mod designs;
+pub mod fraction;
 pub mod generate;
 pub mod imports;
 pub mod invariants;
+pub mod layout;
 pub mod outcome;
 pub mod pages;
 pub mod referees;

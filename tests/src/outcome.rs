@@ -46,4 +46,10 @@ impl Outcome {
             assert!(self.stderr.contains(part), "no {part:?} in:\n{}", self.stderr);
         }
     }
+
+    /// Asserts a failure that still prints what is known: this exit code, and this on stderr; never a panic.
+    pub fn failed_with_data(&self, code: i32, part: &str) {
+        assert_eq!(self.code, Some(code), "{self:?}");
+        assert!(self.stderr.contains(part) && !self.stderr.contains("panicked"), "{self:?}");
+    }
 }

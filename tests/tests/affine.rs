@@ -9,33 +9,8 @@ use ifs_compiler::analysis::analyse;
 use ifs_compiler::diagnostic::Severity;
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::MemoryFiles;
+use ifs_tests::fraction::{Fraction, ONE, ZERO};
 use proptest::prelude::*;
-
-/// A fraction in lowest terms, its denominator above 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Fraction(i128, i128);
-
-impl Fraction {
-    fn new(numerator: i128, denominator: i128) -> Fraction {
-        let (mut a, mut b) = (numerator.unsigned_abs(), denominator.unsigned_abs());
-        while b != 0 {
-            (a, b) = (b, a % b);
-        }
-        let shared = i128::try_from(a).unwrap_or(1).max(1) * denominator.signum();
-        Fraction(numerator / shared, denominator / shared)
-    }
-
-    fn plus(self, other: Fraction) -> Fraction {
-        Fraction::new(self.0 * other.1 + other.0 * self.1, self.1 * other.1)
-    }
-
-    fn times(self, other: Fraction) -> Fraction {
-        Fraction::new(self.0 * other.0, self.1 * other.1)
-    }
-}
-
-const ONE: Fraction = Fraction(1, 1);
-const ZERO: Fraction = Fraction(0, 1);
 
 /// A number of a program: a fraction, the parameter, or one less the parameter.
 #[derive(Clone, Debug)]

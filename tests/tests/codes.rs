@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
-use ifs_compiler::analysis::{Analysis, analyse};
+use ifs_compiler::analysis::{Analysis, Verdict, analyse, run_tests};
 use ifs_compiler::diagnostic::{Code, Diagnostic, Severity};
 use ifs_compiler::hir::LIBRARY;
 use ifs_compiler::hir::evaluate::Overrides;
@@ -56,6 +56,13 @@ fn analysed(bytes: &[u8], settings: &[(&str, &str)]) -> Analysis {
 fn overrides(settings: &[(&str, &str)]) -> Overrides {
     let parameters = settings.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
     Overrides { parameters: parameters.collect::<BTreeMap<_, _>>(), ..Overrides::default() }
+}
+
+/// What the tests of a design find.
+fn tested(analysis: &Analysis) -> Vec<Diagnostic> {
+    let results = run_tests(analysis, &Overrides::default());
+    assert!(results.iter().all(|test| (test.verdict == Verdict::Fails) != test.diagnostics.is_empty()));
+    results.into_iter().flat_map(|result| result.diagnostics).collect()
 }
 
 /// The only diagnostic of an analysis.
@@ -172,7 +179,9 @@ fn every_example_is_without_fault() {
     let examples = sources::files(&root().join("examples"), "ifs");
     assert!(examples.len() > 1);
     for path in examples {
-        let analysis = analysed(&fs::read(&path).unwrap(), &[]);
+        let mut analysis = analysed(&fs::read(&path).unwrap(), &[]);
+        assert!(!analysis.hir.tests.is_empty(), "{} has no test", path.display());
+        analysis.diagnostics.extend(tested(&analysis));
         let said = said(&path.display().to_string(), &analysis);
         assert!(said.is_empty(), "{}", said.join("\n"));
     }
@@ -209,7 +218,8 @@ fn the_designs_in_the_documentation_mean_what_it_says() {
             seen += 1;
             let name = block.file.as_deref().unwrap_or("design.ifs");
             let settings = overrides(&block.settings());
-            let analysis = analyse(&files.clone().with(name, block.whole.as_bytes()), name, &settings);
+            let mut analysis = analyse(&files.clone().with(name, block.whole.as_bytes()), name, &settings);
+            analysis.diagnostics.extend(tested(&analysis));
             if !block.has("wrong") {
                 files = files.with(name, block.whole.as_bytes());
             }

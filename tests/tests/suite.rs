@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use ifs_compiler::analysis::analyse;
+use ifs_compiler::analysis::{analyse, run_tests};
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::{Files, ReadError};
 use ifs_tests::annotations::{Found, position};
@@ -40,7 +40,10 @@ fn analysed(_: &str, path: &Path, settings: &[(String, String)]) -> Vec<Found> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let overrides = Overrides { parameters: settings.iter().cloned().collect(), ..Overrides::default() };
     let analysis = analyse(&Folder(folder.to_owned()), &name, &overrides);
-    let found = analysis.diagnostics.iter().map(|diagnostic| {
+    // The tests in a case are run too: what they find is stated like all else.
+    let results = run_tests(&analysis, &overrides);
+    let tested = results.iter().flat_map(|result| &result.diagnostics);
+    let found = analysis.diagnostics.iter().chain(tested).map(|diagnostic| {
         let source = analysis.sources.get(diagnostic.span.file);
         let place = |byte: u32| source.map_or((1, 1), |source| position(&source.text, byte as usize));
         Found {

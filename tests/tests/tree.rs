@@ -23,7 +23,7 @@ fn imports_go_one_way() {
 #[test]
 fn every_source_says_what_it_is_for_and_is_short() {
     let mut faults = Vec::new();
-    for part in ["compiler", "cli", "tests", "benches"] {
+    for part in ["compiler", "cli", "tests", "benches", "fuzz/fuzz_targets"] {
         let files = sources::files(&root().join(part), "rs");
         assert!(!files.is_empty(), "{part}");
         for path in files {

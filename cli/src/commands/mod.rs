@@ -3,7 +3,10 @@
 pub mod build;
 pub mod check;
 pub mod explain;
+pub mod fmt;
+pub mod params;
 mod table;
 mod tell;
+pub mod test;
 
 pub use tell::{Told, tell};

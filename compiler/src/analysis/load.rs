@@ -3,7 +3,7 @@
 
 mod circles;
 mod paths;
-mod problems;
+pub(super) mod problems;
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::LIBRARY;
@@ -202,7 +202,7 @@ impl Loader<'_> {
 }
 
 /// The text of a file; where it is not UTF-8, what stands before the first wrong byte, and that byte with its place.
-fn decode(bytes: Vec<u8>) -> (String, Option<(usize, u8)>) {
+pub(super) fn decode(bytes: Vec<u8>) -> (String, Option<(usize, u8)>) {
     let error = match String::from_utf8(bytes) {
         Ok(text) => return (text, None),
         Err(error) => error,

@@ -6,16 +6,21 @@ mod fabrication;
 mod load;
 mod measures;
 mod mend;
+pub mod parameters;
 mod placed;
 pub mod project;
 mod requirements;
 mod settings;
+mod single;
+mod testing;
 
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
 pub use load::{Library, MOST_BYTES, MOST_FILES, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry};
 pub use requirements::{LimitValue, RequirementResult};
 pub(crate) use settings::{field, number, text};
+pub use single::{SingleText, single};
+pub use testing::{TestResult, Verdict, run_tests};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
@@ -70,6 +75,25 @@ impl Analysis {
 
 /// Analyses a design: the file `root`, with parameters set from outside.
 pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
+    let mut analysis = read(files, root, overrides);
+    let mut diagnostics = Diagnostics::default();
+    diagnostics.extend(std::mem::take(&mut analysis.diagnostics));
+    // A design with errors is not worked out: what it means is not known. But each ifs stands for itself.
+    if diagnostics.has_errors() {
+        diagnostics.extend(check_weights(&analysis.hir, overrides));
+    } else {
+        let evaluated = evaluate(&analysis.hir, overrides, true);
+        diagnostics.extend(evaluated.diagnostics);
+        analysis.parameters = evaluated.parameters;
+        analysis.plan = evaluated.plan;
+        analysis.fabrications = evaluated.fabrications;
+    }
+    analysis.diagnostics = diagnostics.finish();
+    analysis
+}
+
+/// A design as far as its typed tree: nothing is worked out.
+pub fn read(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
     let loaded = load::load(files, root);
     let root = loaded.files.first().map_or(FileId(0), |file| file.file);
     let mut diagnostics = Diagnostics::default();
@@ -83,7 +107,7 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
     if !diagnostics.has_errors() {
         diagnostics.extend(unknown_parameters(&hir, &loaded.sources, overrides));
     }
-    let mut analysis = Analysis {
+    Analysis {
         sources: loaded.sources,
         root,
         files: loaded.files,
@@ -92,20 +116,8 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
         set_parameters: overrides.parameters.keys().chain(overrides.defaults.keys()).cloned().collect(),
         plan: None,
         fabrications: Vec::new(),
-        diagnostics: Vec::new(),
-    };
-    // A design with errors is not worked out: what it means is not known. But each ifs stands for itself.
-    if diagnostics.has_errors() {
-        diagnostics.extend(check_weights(&analysis.hir, overrides));
-    } else {
-        let evaluated = evaluate(&analysis.hir, overrides, true);
-        diagnostics.extend(evaluated.diagnostics);
-        analysis.parameters = evaluated.parameters;
-        analysis.plan = evaluated.plan;
-        analysis.fabrications = evaluated.fabrications;
+        diagnostics: diagnostics.finish(),
     }
-    analysis.diagnostics = diagnostics.finish();
-    analysis
 }
 
 /// The files of the project and the modules of the library, as the checker takes them.

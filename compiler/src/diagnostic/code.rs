@@ -151,6 +151,10 @@ codes! {
     // NC programs.
     E0901 Error "an NC program that cannot be made",
     E0902 Error "an NC program that its read-back refuses",
+
+    // Tests.
+    E1001 Error "an assertion that fails",
+    E1002 Error "something that cannot be asked of a figure here",
 }
 
 impl Code {

@@ -7,6 +7,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("surfaces", include_str!("../../../stdlib/surfaces.ifs")),
     ("materials", include_str!("../../../stdlib/materials.ifs")),
     ("machines", include_str!("../../../stdlib/machines.ifs")),
+    ("boards", include_str!("../../../stdlib/boards.ifs")),
 ];
 
 /// The text of a module.

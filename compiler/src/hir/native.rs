@@ -23,6 +23,10 @@ pub enum Native {
     Max,
     Sum,
     Len,
+    Mean,
+    All,
+    Any,
+    Close,
     Lerp,
     Interpolate,
     Segment,
@@ -82,6 +86,8 @@ pub enum Takes {
     Number,
     /// An angle.
     Angle,
+    /// A list of truths.
+    Truths,
     /// A list of anything.
     List,
     /// A point.
@@ -92,7 +98,7 @@ pub enum Takes {
     Ifs,
     /// A grid of points.
     Net,
-    /// A length, or a vector.
+    /// A length; a vector where it is the only argument.
     LengthOrVector,
     /// Points one by one, or one list of them.
     Vertices,
@@ -107,11 +113,12 @@ impl Takes {
         match self {
             Takes::Number => Some(Type::NUMBER),
             Takes::Angle => Some(Type::ANGLE),
-            Takes::Length => Some(Type::LENGTH),
+            Takes::Length | Takes::LengthOrVector => Some(Type::LENGTH),
             Takes::Point => Some(Type::Point(PointSpace::Any)),
             Takes::Vector => Some(Type::Vector(PointSpace::Any)),
             Takes::Points => Some(list(Type::Point(PointSpace::Any))),
             Takes::Vertices => Some(list(Type::Point(PointSpace::Any))),
+            Takes::Truths => Some(list(Type::Bool)),
             Takes::Ifs => Some(Type::Ifs),
             Takes::Net => Some(list(list(Type::Point(PointSpace::Space)))),
             Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
@@ -121,8 +128,7 @@ impl Takes {
             | Takes::Summands
             | Takes::List
             | Takes::Lists
-            | Takes::Plain
-            | Takes::LengthOrVector => None,
+            | Takes::Plain => None,
         }
     }
 }
@@ -219,6 +225,34 @@ pub const NATIVES: &[NativeDeclaration] = &[
         "the sum of a list of numbers, of vectors, or of weighted points",
     ),
     native(Native::Len, "prelude", "len", &[needs("list", Takes::List)], "how many elements a list has"),
+    native(
+        Native::Mean,
+        "prelude",
+        "mean",
+        &[needs("list", Takes::Quantities)],
+        "the mean of a list of numbers",
+    ),
+    native(
+        Native::All,
+        "prelude",
+        "all",
+        &[needs("list", Takes::Truths)],
+        "whether all of a list are true; an empty list is",
+    ),
+    native(
+        Native::Any,
+        "prelude",
+        "any",
+        &[needs("list", Takes::Truths)],
+        "whether at least one of a list is true",
+    ),
+    native(
+        Native::Close,
+        "prelude",
+        "close",
+        &[needs("a", Takes::Quantity), needs("b", Takes::Quantity), needs("within", Takes::Quantity)],
+        "whether two numbers differ by `within` at most",
+    ),
     native(
         Native::Lerp,
         "prelude",

@@ -23,6 +23,8 @@ pub struct Hir {
     pub items: Vec<Item>,
     /// The fabricate blocks of the design, in order.
     pub fabricates: Vec<Fabricate>,
+    /// The tests of the design, in order.
+    pub tests: Vec<Test>,
     /// The file of the design itself.
     pub root: FileId,
     /// The files of the library.
@@ -191,6 +193,39 @@ impl Image {
     }
 }
 
+/// A test: what is stated of the design, and run only when asked for.
+#[derive(Clone, Debug)]
+pub struct Test {
+    /// What it shows.
+    pub name: String,
+    /// Where that is written.
+    pub name_span: Span,
+    /// Its lines in order.
+    pub steps: Vec<TestStep>,
+    /// How many slots its frame has.
+    pub slots: u32,
+}
+
+/// A line of a test.
+#[derive(Clone, Debug)]
+pub enum TestStep {
+    /// A named value.
+    Let(LocalId, Expr),
+    /// What must be true, with the whole line.
+    Assert(Expr, Span),
+}
+
+/// What a test can ask of a figure of the design.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Made {
+    /// Its boards or planks, a list of records.
+    Boards,
+    /// How many elements it has.
+    Elements,
+    /// How many vertices it has, joined ones counted once.
+    Vertices,
+}
+
 /// A fabricate block.
 #[derive(Clone, Debug)]
 pub struct Fabricate {
@@ -301,6 +336,8 @@ pub enum ExprKind {
     Field(Box<Expr>, usize),
     /// A coordinate of a point or vector, by its place.
     Coordinate(Box<Expr>, usize),
+    /// What is made of a figure; only in tests.
+    Made(ItemId, Made),
     /// A field of every record of a list.
     EachField(Box<Expr>, usize),
     /// One element of a list.

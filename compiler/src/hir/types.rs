@@ -109,6 +109,22 @@ impl Type {
         }
     }
 
+    /// Whether values of the two can be the same: numbers of one dimension, truths, texts, points and vectors, records
+    /// of one type, words of one choice, and lists of these.
+    pub fn equals(&self, other: &Type) -> bool {
+        match (self, other) {
+            (Type::Error, _) | (_, Type::Error) => true,
+            (Type::Bool, Type::Bool) | (Type::Text, Type::Text) | (Type::Size, Type::Size) => true,
+            (Type::List(a), Type::List(b)) => a.equals(b),
+            (Type::Point(a), Type::Point(b)) | (Type::Vector(a), Type::Vector(b)) => {
+                *a != PointSpace::Control && *b != PointSpace::Control && a.join(*b).is_some()
+            }
+            (Type::Record(a), Type::Record(b)) => a == b,
+            (Type::Choice(a), Type::Choice(b)) => a == b,
+            (a, b) => a.dimension().is_some() && a.dimension() == b.dimension(),
+        }
+    }
+
     /// Whether it is a figure of any kind.
     pub fn is_figure(&self) -> bool {
         matches!(self, Type::Curve | Type::Surface | Type::Figure)

@@ -7,7 +7,7 @@ use crate::source::{FileId, ReadError, Span};
 use crate::syntax::ast::TextLiteral;
 
 /// The design's own file cannot be read.
-pub(super) fn unreadable_design(path: &str, error: &ReadError, file: FileId) -> Diagnostic {
+pub(in crate::analysis) fn unreadable_design(path: &str, error: &ReadError, file: FileId) -> Diagnostic {
     let message = format!("`{path}` cannot be read: {}", why(error));
     Diagnostic::new(Code::E0306, Span::new(file, 0, 0), message).hint("is the path right?")
 }
@@ -73,7 +73,7 @@ pub(super) fn no_path(written: &TextLiteral, fault: &PathFault) -> Diagnostic {
 }
 
 /// A file that is not UTF-8 from the byte `at` on.
-pub(super) fn no_text(file: FileId, at: usize, byte: u8) -> Diagnostic {
+pub(in crate::analysis) fn no_text(file: FileId, at: usize, byte: u8) -> Diagnostic {
     let place = u32::try_from(at).unwrap_or(u32::MAX);
     let message = format!("the file is not UTF-8 text: byte {at} is 0x{byte:02x}");
     Diagnostic::new(Code::E0101, Span::new(file, place, place), message)

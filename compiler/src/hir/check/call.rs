@@ -218,14 +218,16 @@ impl Checker<'_> {
             _ => (None, false),
         };
         let Some(id) = record else {
-            if base.ty.is_figure() && name.text == "boards" {
-                return self.later(&name.text, name.span);
+            if let Some(made) = self.made(frame, &base, name, span) {
+                return made;
             }
             let ty = self.described(&base.ty);
             let message = format!("{ty} has no fields");
             let mut diagnostic =
                 Diagnostic::new(Code::E0407, name.span, message).label("nothing to name here");
-            if matches!(base.ty, Type::List(_)) {
+            if base.ty.is_figure() {
+                diagnostic = diagnostic.hint("a test can ask it for its `boards`, `elements` and `vertices`");
+            } else if matches!(base.ty, Type::List(_)) {
                 diagnostic =
                     diagnostic.hint("the number of elements of a list is `len(list)`, an element `list[0]`");
             }

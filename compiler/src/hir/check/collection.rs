@@ -57,7 +57,7 @@ impl Checker<'_> {
             match clause {
                 ast::Clause::For(name, over) => {
                     let over = self.expr(frame, over, None);
-                    let ty = self.iterated(&over);
+                    let ty = self.iterated(&over, "`for`");
                     checked.push(Clause::For(frame.declare(name, ty), over));
                 }
                 ast::Clause::If(condition) => {
@@ -71,14 +71,15 @@ impl Checker<'_> {
         Expr { kind: ExprKind::Comprehension(Box::new(body), checked), ty, span }
     }
 
-    pub(super) fn iterated(&mut self, over: &Expr) -> Type {
+    /// The type of what runs through a range or a list; `what` does it, in words.
+    pub(super) fn iterated(&mut self, over: &Expr, what: &str) -> Type {
         match &over.ty {
             Type::IntRange => Type::Int,
             Type::List(element) => (**element).clone(),
             Type::Error => Type::Error,
             other => {
                 let is = self.described(other);
-                let message = format!("`for` goes through a range or a list, but this is {is}");
+                let message = format!("{what} goes through a range or a list, but this is {is}");
                 let diagnostic = Diagnostic::new(Code::E0401, over.span, message).label(is);
                 self.report(diagnostic.hint("write `0..n` for the numbers from 0 to n - 1"));
                 Type::Error

@@ -133,6 +133,10 @@ impl Checker<'_> {
             Type::Vector(_) if matches!(value.ty, Type::Point(_)) => Some(Box::new(|diagnostic| {
                 diagnostic.hint("a vector is the difference of two points: `q - p`")
             })),
+            Type::Map(_) => Some(Box::new(|diagnostic| {
+                diagnostic
+                    .hint("a map is made by `translate(…)`, `rotate(…)`, `turn(…)`, `scale(…)` and the like")
+            })),
             Type::Germ => Some(Box::new(|diagnostic| diagnostic.hint("write `germ segment(p, q)`"))),
             Type::Bool => Some(Box::new(|diagnostic| {
                 diagnostic.hint("a condition is a comparison such as `a > b`, or `true` or `false`")

@@ -31,14 +31,12 @@ impl<'a> Checker<'a> {
                 self.ensure_checked(id, self.items[index].name_span);
             }
         }
+        self.check_records();
         let root = self.modules[0].ast;
         for item in &root.items {
             match &item.kind {
                 ast::ItemKind::Fabricate(fabricate) => self.fabricate(fabricate),
-                ast::ItemKind::Test(test) => {
-                    let message = "tests in a design are not available yet";
-                    self.report(Diagnostic::new(Code::E0001, test.name.span, message).label("a test"));
-                }
+                ast::ItemKind::Test(test) => self.test(test),
                 _ => {}
             }
         }

@@ -13,27 +13,21 @@ impl Checker<'_> {
         let numbers: Vec<&Expr> = values.iter().filter(|value| value.ty.dimension().is_some()).collect();
         let places: Vec<&Expr> = values.iter().filter(|value| value.ty.point_space().is_some()).collect();
         let mut space = match native {
-            Native::Translate if numbers.is_empty() => PointSpace::Any,
             Native::Rotate => PointSpace::Plane,
             Native::Turn => PointSpace::Space,
             Native::Mirror => PointSpace::Any,
             Native::Affine => match numbers.len() {
                 4 => PointSpace::Plane,
                 9 => PointSpace::Space,
-                count => return self.wrong_count(native, count, at),
+                count => return self.wrong_count(count, at),
             },
+            // Factors or lengths; a vector, or one factor, leaves it open.
             _ => match numbers.len() {
-                1 if native == Native::Scale => PointSpace::Any,
                 2 => PointSpace::Plane,
                 3 => PointSpace::Space,
-                count => return self.wrong_count(native, count, at),
+                _ => PointSpace::Any,
             },
         };
-        if native == Native::Translate && !places.is_empty() && !numbers.is_empty() {
-            let message = "`translate` takes a vector, or two or three lengths, not both";
-            self.report(Diagnostic::new(Code::E0536, at, message).label("a vector and lengths"));
-            return None;
-        }
         for place in places {
             let other = place.ty.point_space().unwrap_or(PointSpace::Any);
             match space.join(other).filter(|joined| *joined != PointSpace::Control) {
@@ -47,16 +41,10 @@ impl Checker<'_> {
         Some(Type::Map(space))
     }
 
-    fn wrong_count(&mut self, native: Native, count: usize, at: Span) -> Option<Type> {
-        let (needs, hint) = match native {
-            Native::Affine => (
-                "four numbers in the plane, or nine in space",
-                "row by row: `affine(a, b, c, d)` makes x' = a x + b y, y' = c x + d y",
-            ),
-            _ => ("two lengths in the plane, three in space", "a direction without movement is `0m`"),
-        };
-        let message = format!("`{}` takes {needs}, not {count}", native.declaration().name);
-        self.report(Diagnostic::new(Code::E0536, at, message).label(format!("{count} given")).hint(hint));
+    fn wrong_count(&mut self, count: usize, at: Span) -> Option<Type> {
+        let message = format!("`affine` takes four numbers in the plane, or nine in space, not {count}");
+        let diagnostic = Diagnostic::new(Code::E0536, at, message).label(format!("{count} given"));
+        self.report(diagnostic.hint("row by row: `affine(a, b, c, d)` makes x' = a x + b y, y' = c x + d y"));
         None
     }
 

@@ -17,11 +17,13 @@ mod native;
 mod native_values;
 mod operator;
 mod placement;
+mod records;
 mod scope;
+mod test;
 mod transform;
 mod type_expr;
 
-use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId};
+use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId, Test};
 use super::types::Type;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::{FileId, Span};
@@ -82,6 +84,7 @@ struct Checker<'a> {
     types: BTreeMap<ItemId, Type>,
     signatures: BTreeMap<ItemId, items::Signature>,
     fabricates: Vec<Fabricate>,
+    tests: Vec<Test>,
     /// Names of the library used without import, each said once a file.
     not_imported: BTreeSet<(usize, String)>,
     diagnostics: Diagnostics,
@@ -95,6 +98,8 @@ struct Frame {
     locals: Vec<Local>,
     slots: u32,
     own_ifs: Option<ItemId>,
+    /// Whether it is that of a test.
+    test: bool,
 }
 
 struct Local {
@@ -106,7 +111,7 @@ struct Local {
 
 impl Frame {
     fn new(module: usize) -> Self {
-        Frame { module, locals: Vec::new(), slots: 0, own_ifs: None }
+        Frame { module, locals: Vec::new(), slots: 0, own_ifs: None, test: false }
     }
 
     fn declare(&mut self, name: &ast::Name, ty: Type) -> LocalId {
@@ -130,7 +135,7 @@ impl<'a> Checker<'a> {
         let root = self.modules.first().map_or(FileId(0), |module| module.file);
         let library = self.modules.iter().filter(|module| module.is_library());
         let library = library.map(|module| module.file).collect();
-        let hir = Hir { items: self.items, fabricates: self.fabricates, root, library };
+        let hir = Hir { items: self.items, fabricates: self.fabricates, tests: self.tests, root, library };
         Checked { hir, diagnostics: self.diagnostics.finish() }
     }
 }

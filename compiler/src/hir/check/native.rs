@@ -39,7 +39,8 @@ impl Checker<'_> {
             .map(|parameter| Parameter {
                 name: parameter.name.to_owned(),
                 ty: match parameter.takes {
-                    Takes::LengthOrVector if is_tuple(arguments) => Type::Vector(PointSpace::Any),
+                    // One length alone is no movement: one argument is a vector.
+                    Takes::LengthOrVector if arguments.len() == 1 => Type::Vector(PointSpace::Any),
                     takes => takes.expected().unwrap_or(Type::Error),
                 },
                 required: parameter.required,
@@ -90,7 +91,7 @@ impl Checker<'_> {
 
     fn takes(&mut self, native: &str, value: &Expr, parameter: &NativeParameter) -> bool {
         let list_of_numbers = match &value.ty {
-            Type::List(element) => element.dimension().is_some(),
+            Type::List(element) => element.dimension().is_some() || **element == Type::Error,
             _ => false,
         };
         let list_of_vectors = matches!(&value.ty, Type::List(element) if element.point_space().is_some());
@@ -105,7 +106,6 @@ impl Checker<'_> {
                     matches!(&value.ty, Type::List(inner) if matches!(**inner, Type::List(_) | Type::Error))
                 }
                 Takes::Plain => value.ty.dimension().is_some() || matches!(value.ty, Type::Bool | Type::Text),
-                Takes::LengthOrVector => value.ty == Type::LENGTH || matches!(value.ty, Type::Vector(_)),
                 _ => true,
             };
         if !fits {
@@ -116,7 +116,6 @@ impl Checker<'_> {
                 Takes::Summands => "a list of numbers, points or vectors",
                 Takes::Lists => "a list of lists",
                 Takes::Plain => "a number, a truth or a text",
-                Takes::LengthOrVector => "lengths or a vector",
                 _ => "a list",
             };
             let is = self.described(&value.ty);
@@ -136,6 +135,9 @@ impl Checker<'_> {
                 Type::Point(space) => Type::WeightedSum(space),
                 other => other,
             },
+            Native::Mean => Type::Quantity(element(first)?.dimension()?),
+            Native::All | Native::Any => Type::Bool,
+            Native::Close => return self.closeness(values),
             Native::Sqrt => return self.root(&values[0]),
             Native::Min | Native::Max => return self.extreme(native, values),
             Native::Lerp => {
@@ -163,6 +165,18 @@ impl Checker<'_> {
             Native::Sheet => Type::Figure,
             _ => return self.value_type(native, values),
         })
+    }
+
+    /// `close(a, b, within)`: three numbers of one dimension.
+    fn closeness(&mut self, values: &[Expr]) -> Option<Type> {
+        let first = values.first()?;
+        let other = values.iter().find(|value| value.ty.dimension() != first.ty.dimension());
+        let Some(other) = other else { return Some(Type::Bool) };
+        let (a, b) = (self.described(&first.ty), self.described(&other.ty));
+        let message = format!("`close` does not fit {a} and {b}");
+        let diagnostic = Diagnostic::new(Code::E0402, other.span, message).label(b).also(first.span, a);
+        self.report(diagnostic.hint("it takes three numbers of one dimension: `close(a, 2m, 1mm)`"));
+        None
     }
 
     fn root(&mut self, value: &Expr) -> Option<Type> {
@@ -203,15 +217,6 @@ impl Checker<'_> {
             }
             _ => None,
         }
-    }
-}
-
-/// Whether the first argument is written as coordinates.
-fn is_tuple(arguments: &[ast::Argument]) -> bool {
-    let kind = arguments.first().map(|argument| &argument.value.kind);
-    match kind {
-        Some(ast::ExprKind::Group(inner)) => matches!(inner.kind, ast::ExprKind::Tuple(_)),
-        kind => matches!(kind, Some(ast::ExprKind::Tuple(_))),
     }
 }
 

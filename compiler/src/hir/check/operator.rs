@@ -207,8 +207,8 @@ impl Checker<'_> {
         let equality = matches!(comparison, ast::Comparison::Equal | ast::Comparison::NotEqual);
         let fits = match (&left.ty, &right.ty) {
             (Type::Error, _) | (_, Type::Error) => true,
-            (Type::Bool, Type::Bool) | (Type::Text, Type::Text) => equality,
-            (a, b) => a.dimension().is_some() && a.dimension() == b.dimension(),
+            (a, b) if a.dimension().is_some() => a.dimension() == b.dimension(),
+            (a, b) => equality && a.equals(b),
         };
         if !fits {
             let (a, b) = (self.described(&left.ty), self.described(&right.ty));

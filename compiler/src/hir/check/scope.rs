@@ -76,6 +76,7 @@ impl<'a> Checker<'a> {
             types: BTreeMap::new(),
             signatures: BTreeMap::new(),
             fabricates: Vec::new(),
+            tests: Vec::new(),
             not_imported: BTreeSet::new(),
             diagnostics: Diagnostics::default(),
             comparisons: 0,

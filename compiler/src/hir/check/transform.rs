@@ -18,7 +18,7 @@ impl Checker<'_> {
         let outer = frame.locals.len();
         let family = transform.family.as_ref().map(|(name, over)| {
             let over = self.expr(frame, over, None);
-            let ty = self.iterated(&over);
+            let ty = self.iterated(&over, "a family");
             (frame.declare(name, ty), over)
         });
         let image = self.image(frame, typed, &transform.value);

@@ -59,6 +59,16 @@ impl Evaluator<'_> {
         self.budget.symbolic = None;
     }
 
+    /// Sets the work of a check for all values of parameters aside, for a value that does not depend on them.
+    pub(super) fn suspend_symbolic(&mut self) -> Option<u64> {
+        self.budget.symbolic.take()
+    }
+
+    /// Goes on with what was set aside.
+    pub(super) fn resume_symbolic(&mut self, left: Option<u64>) {
+        self.budget.symbolic = left;
+    }
+
     /// Counts arithmetic on these numbers with a factor of this cost; zeros cost nothing.
     pub(super) fn work(&mut self, numbers: &[Scalar], factor: u64, span: Span) -> Outcome<()> {
         let counted = numbers.iter().filter(|number| !number.is_zero());

@@ -28,7 +28,7 @@ impl Evaluator<'_> {
             ExprKind::Bool(truth) => Ok(Value::Bool(*truth)),
             ExprKind::Text(text) => Ok(Value::Text(text.as_str().into())),
             ExprKind::Choice(kind, position) => Ok(Value::Choice(*kind, *position)),
-            ExprKind::Local(id) => frame.slots.get(id.0 as usize).cloned().flatten().ok_or(Stop::Reported),
+            ExprKind::Local(id) => frame.slots.get(id.0 as usize).cloned().unwrap_or(Err(Stop::Reported)),
             ExprKind::Global(id) => self.global(*id),
             ExprKind::Ifs(id, arguments) => {
                 let arguments = self.all(frame, arguments)?;
@@ -64,6 +64,7 @@ impl Evaluator<'_> {
                 Value::Record(_, fields) => fields.get(*index).cloned().ok_or(Stop::Reported),
                 _ => Err(Stop::Reported),
             },
+            ExprKind::Made(figure, made) => self.made_of(*figure, *made),
             ExprKind::EachField(base, index) => self.each_field(frame, base, *index),
             ExprKind::Index(list, index) => self.element(frame, list, index),
             ExprKind::Slice(list, ranges) => {
@@ -147,7 +148,7 @@ impl Evaluator<'_> {
         let arguments = self.all(frame, arguments)?;
         let mut inner = Frame::new(function.body.slots.max(arguments.len() as u32));
         for (slot, argument) in inner.slots.iter_mut().zip(arguments) {
-            *slot = Some(argument);
+            *slot = Ok(argument);
         }
         self.calls.push(span);
         let outcome = self.expr(&mut inner, &function.body.value);

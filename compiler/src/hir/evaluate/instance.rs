@@ -146,7 +146,10 @@ impl Evaluator<'_> {
         for (slot, value) in &ifs.lets {
             match self.expr(&mut frame, value) {
                 Ok(value) => frame.set(*slot, value),
-                Err(reason) => stop = Some(reason),
+                Err(reason) => {
+                    frame.stopped(*slot, reason);
+                    stop = Some(reason);
+                }
             }
         }
         let (pieces, stopped) = self.pieces(&mut frame, ifs);

@@ -212,7 +212,9 @@ impl Evaluator<'_> {
             let diagnostic = Diagnostic::new(Code::E0531, at, message).label("on control points");
             return Err(self.report(diagnostic.hint("move the points it is placed on")));
         }
-        self.joined(map.space, space, at)?;
+        if map.space.join(space).is_none() {
+            return Err(self.mixed(&map.space.thing("map"), &format!("an ifs {}", space.words()), at));
+        }
         Ok(Value::Ifs(Arc::new(IfsValue::Mapped(map, instance.clone()))))
     }
 

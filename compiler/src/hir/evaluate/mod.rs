@@ -16,6 +16,7 @@ mod operator;
 mod overrides;
 mod placement;
 mod symbolic;
+mod test;
 mod transform;
 mod vectors;
 
@@ -24,6 +25,7 @@ pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
 pub use limits::Limits;
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
+pub use test::MadeValues;
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};
 use super::value::{Instance, Value};
@@ -70,6 +72,8 @@ pub struct Evaluator<'a> {
     wrong_sums: BTreeSet<Span>,
     /// Whether a rounded number went into the weights of the ifs being worked out.
     rounded: bool,
+    /// What is made of figures, for tests.
+    made: Option<&'a MadeValues>,
 }
 
 /// An ifs used where its pieces must join.
@@ -85,18 +89,26 @@ pub struct MustJoin {
 
 /// The slots of a call, and the ifs around.
 struct Frame {
-    slots: Vec<Option<Value>>,
+    /// What stands in each slot, or why nothing does.
+    slots: Vec<Outcome<Value>>,
     own_ifs: Option<Instance>,
 }
 
 impl Frame {
     fn new(slots: u32) -> Self {
-        Frame { slots: vec![None; slots as usize], own_ifs: None }
+        Frame { slots: vec![Err(Stop::Reported); slots as usize], own_ifs: None }
     }
 
     fn set(&mut self, id: LocalId, value: Value) {
         if let Some(slot) = self.slots.get_mut(id.0 as usize) {
-            *slot = Some(value);
+            *slot = Ok(value);
+        }
+    }
+
+    /// Remembers why a slot has no value: whoever reads it stops for the same reason.
+    fn stopped(&mut self, id: LocalId, reason: Stop) {
+        if let Some(slot) = self.slots.get_mut(id.0 as usize) {
+            *slot = Err(reason);
         }
     }
 }
@@ -120,6 +132,7 @@ impl<'a> Evaluator<'a> {
             sums: BTreeMap::new(),
             wrong_sums: BTreeSet::new(),
             rounded: false,
+            made: None,
         }
     }
 
@@ -166,9 +179,11 @@ impl<'a> Evaluator<'a> {
     /// After a report.
     pub fn body(&mut self, body: &Body) -> Outcome<Value> {
         // A global's value does not depend on who asked for it first: neither do its messages.
-        let calls = std::mem::take(&mut self.calls);
+        let (calls, within) = (std::mem::take(&mut self.calls), self.within.take());
+        let symbolic = self.suspend_symbolic();
         let outcome = self.expr(&mut Frame::new(body.slots), &body.value);
-        self.calls = calls;
+        self.resume_symbolic(symbolic);
+        (self.calls, self.within) = (calls, within);
         outcome
     }
 

@@ -86,6 +86,16 @@ impl Evaluator<'_> {
                 let numbers: Vec<&Scalar> = values.iter().filter_map(Value::scalar).collect();
                 self.maths(native, &numbers, arguments)?
             }
+            (Native::Mean, [Value::List(list)]) => self.mean(list, &arguments[0])?,
+            (Native::All, [Value::List(list)]) => {
+                return Ok(Value::Bool(list.iter().all(|value| *value == Value::Bool(true))));
+            }
+            (Native::Any, [Value::List(list)]) => {
+                return Ok(Value::Bool(list.iter().any(|value| *value == Value::Bool(true))));
+            }
+            (Native::Close, [Value::Scalar(a), Value::Scalar(b), Value::Scalar(within)]) => {
+                return self.close(a, b, within, span).map(Value::Bool);
+            }
             (Native::Min | Native::Max, [Value::List(list)]) => self.extreme(native, list, &arguments[0])?,
             (Native::Min | Native::Max, [a, b]) => self.extreme(native, &[a.clone(), b.clone()], expr)?,
             (Native::Interpolate, [Value::Scalar(x), Value::List(table)]) => {
@@ -103,7 +113,7 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(value))
     }
 
-    fn sum(&mut self, list: &[Value], span: Span) -> Outcome<Scalar> {
+    pub(super) fn sum(&mut self, list: &[Value], span: Span) -> Outcome<Scalar> {
         let mut total = Scalar::zero();
         for value in list.iter().filter_map(Value::scalar) {
             self.step(span)?;

@@ -3,7 +3,7 @@
 use super::{Evaluator, Frame, Outcome, Stop};
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::{Arithmetic, Expr};
-use crate::hir::value::Value;
+use crate::hir::value::{Terms, Value};
 use crate::source::Span;
 use crate::syntax::ast::Comparison;
 use std::cmp::Ordering;
@@ -68,12 +68,58 @@ impl Evaluator<'_> {
         right: &Expr,
     ) -> Outcome<Value> {
         let (a, b) = (self.expr(frame, left)?, self.expr(frame, right)?);
-        let order = match (&a, &b) {
-            (Value::Scalar(a), Value::Scalar(b)) => self.order(a, b, left.span.to(right.span))?,
-            _ if a == b => Ordering::Equal,
+        self.compared(comparison, &a, &b, left.span.to(right.span)).map(Value::Bool)
+    }
+
+    /// Whether a comparison holds for two values. Numbers are compared exactly; lists, points and records are the same
+    /// where all in them is.
+    pub(super) fn compared(
+        &mut self,
+        comparison: Comparison,
+        a: &Value,
+        b: &Value,
+        span: Span,
+    ) -> Outcome<bool> {
+        let order = match (a, b) {
+            (Value::Scalar(a), Value::Scalar(b)) => self.order(a, b, span)?,
+            _ if self.same(a, b, span)? => Ordering::Equal,
             _ => Ordering::Less,
         };
-        Ok(Value::Bool(holds(comparison, order)))
+        Ok(holds(comparison, order))
+    }
+
+    fn same(&mut self, a: &Value, b: &Value, span: Span) -> Outcome<bool> {
+        self.step(span)?;
+        match (a, b) {
+            (Value::Scalar(a), Value::Scalar(b)) => Ok(self.order(a, b, span)?.is_eq()),
+            (Value::List(a), Value::List(b)) => self.all_same(a, b, span),
+            (Value::Record(a, a_fields), Value::Record(b, b_fields)) => {
+                Ok(a == b && self.all_same(a_fields, b_fields, span)?)
+            }
+            (Value::Combination(a), Value::Combination(b)) => match (&a.terms, &b.terms) {
+                (Terms::Coordinates(a), Terms::Coordinates(b)) | (Terms::Weights(a), Terms::Weights(b)) => {
+                    let mut same = a.len() == b.len();
+                    for (a, b) in a.iter().zip(b) {
+                        same = same && self.order(a, b, span)?.is_eq();
+                    }
+                    Ok(same)
+                }
+                _ => Ok(false),
+            },
+            _ => Ok(a == b),
+        }
+    }
+
+    fn all_same(&mut self, a: &[Value], b: &[Value], span: Span) -> Outcome<bool> {
+        if a.len() != b.len() {
+            return Ok(false);
+        }
+        for (a, b) in a.iter().zip(b) {
+            if !self.same(a, b, span)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 }
 

@@ -146,6 +146,7 @@ impl Evaluator<'_> {
         value: &Value,
         set: Option<Option<&(String, String)>>,
     ) -> Outcome<()> {
+        self.rising_step(name, param)?;
         let Some((from, to)) = &param.range else { return Ok(()) };
         let range_span = from.value.span.to(to.value.span);
         let (least, most) = (self.body(from)?, self.body(to)?);
@@ -160,7 +161,6 @@ impl Evaluator<'_> {
             let diagnostic = Diagnostic::new(Code::E0607, range_span, message).label("nothing lies in it");
             return Err(self.report(diagnostic.hint("write the smaller end first")));
         }
-        self.rising_step(name, param)?;
         if inside(least, value) && inside(value, most) {
             return Ok(());
         }

@@ -9,8 +9,8 @@ const COMMENT_SPREAD: usize = 24;
 /// What stands between the code and a comment behind it.
 const BEFORE_COMMENT: usize = 2;
 
-/// Joins lines to a text; each ends with LF.
-pub(super) fn text(mut lines: Vec<Line<'_>>) -> String {
+/// Joins lines to a text; each ends with LF. None if it would have more bytes than `most`.
+pub(super) fn text(mut lines: Vec<Line<'_>>, most: usize) -> Option<String> {
     for run in runs(&lines, |before, line| before.kind == line.kind && line.kind.is_some()) {
         let lines = &mut lines[run];
         let columns = lines.iter().flat_map(|line| &line.columns).map(|(_, column)| *column + 1).max();
@@ -29,8 +29,11 @@ pub(super) fn text(mut lines: Vec<Line<'_>>) -> String {
     let mut text = String::new();
     for (line, gap) in lines.iter().zip(gaps) {
         write(&mut text, line, gap);
+        if text.len() > most {
+            return None;
+        }
     }
-    text
+    Some(text)
 }
 
 /// The ranges of lines which follow each other at one indent without blank lines, and which belong together.

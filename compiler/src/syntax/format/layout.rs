@@ -72,10 +72,8 @@ impl<'p, 's> Layout<'p, 's> {
                 _ => here(&group.close) || group.elements.iter().any(here),
             };
             if chosen {
-                let group = group.clone();
-                self.open(index, |at, place| {
-                    at == 0 || matches!(group.shape, Shape::Block(_)) || ends(place)
-                });
+                let block = matches!(group.shape, Shape::Block(_));
+                self.open(index, |at, place| at == 0 || block || ends(place));
             }
         }
     }
@@ -119,8 +117,8 @@ impl<'p, 's> Layout<'p, 's> {
 
     /// The first piece after `at` that begins a line.
     fn line_end(&self, at: usize) -> usize {
-        let rest = self.breaks.iter().enumerate().skip(at + 1);
-        rest.into_iter().find(|(_, found)| **found != Break::None).map_or(self.pieces.len(), |(end, _)| end)
+        let mut rest = self.breaks.iter().enumerate().skip(at + 1);
+        rest.find(|(_, found)| **found != Break::None).map_or(self.pieces.len(), |(end, _)| end)
     }
 
     /// The width of some pieces on one line, the comma after them included.

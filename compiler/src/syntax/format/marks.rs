@@ -119,7 +119,8 @@ impl Marker<'_, '_> {
         self.at(entry.span.start, |mark| mark.statement = Some(statement));
         match &entry.kind {
             EntryKind::Setting(_, value) => {
-                self.at(value.span.start, |mark| mark.column = Some(0));
+                let record = matches!(value.kind, ExprKind::Fields(_));
+                self.at(value.span.start, |mark| mark.column = (!record).then_some(0));
                 self.expr(value);
             }
             EntryKind::Require(it) => self.limit(&it.limit),

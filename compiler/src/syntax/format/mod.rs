@@ -22,7 +22,8 @@
 //! - **Comments** stay where they are: on their own line, indented as what follows; or at the end of the line, two
 //!   spaces after the code.
 //! - **Columns.** On consecutive lines these stand below each other, as long as none is far away from the others: the
-//!   `=` of `let`, `transform`, `boundary`, `figure` and `param`, and what follows in a `param`; the values of settings;
+//!   `=` of `let`, `transform`, `boundary`, `figure` and `param`, and what follows in a `param`; the values of settings, but
+//!   for records in braces;
 //!   the parts of points and lists that each fill a line; comments behind lines that no blank line parts.
 //!
 //! Formatting twice is the same as once.
@@ -36,6 +37,7 @@ mod spacing;
 mod write;
 
 use super::Parse;
+use super::limits::MAX_BYTES;
 use crate::diagnostic::Severity;
 use crate::source::Source;
 use layout::Layout;
@@ -45,7 +47,8 @@ pub const COLUMNS: usize = 120;
 
 /// The text of `source`, laid out; `parse` is what [`super::parse`] made of it. Lines end with LF.
 ///
-/// None where the text has errors: a text that is not understood is left alone.
+/// None where the text has errors, since a text that is not understood is left alone, and where indents would make it
+/// longer than what is read ([`MAX_BYTES`]).
 pub fn format(parse: &Parse, source: &Source) -> Option<String> {
     if parse.diagnostics.iter().any(|found| found.severity() == Severity::Error) {
         return None;
@@ -54,5 +57,5 @@ pub fn format(parse: &Parse, source: &Source) -> Option<String> {
     marks::mark(&parse.ast, &mut pieces);
     let groups = group::groups(&pieces);
     let lines = write::lines(Layout::new(&pieces, groups));
-    Some(align::text(lines))
+    align::text(lines, MAX_BYTES)
 }

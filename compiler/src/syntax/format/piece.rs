@@ -84,12 +84,14 @@ struct Before<'s> {
     /// Line ends since the last token or comment.
     lines: usize,
     newline: bool,
+    /// Whether no token stands before.
+    at_start: bool,
 }
 
 /// The pieces of a text; the last is its end.
 pub(super) fn pieces<'s>(source: &'s Source, tokens: &[Token]) -> Vec<Piece<'s>> {
     let mut found: Vec<Piece<'s>> = Vec::with_capacity(tokens.len() / 2 + 1);
-    let mut before = Before { newline: true, ..Before::default() };
+    let mut before = Before { newline: true, at_start: true, ..Before::default() };
     for token in tokens {
         let text = source.slice(token.span);
         match token.kind {
@@ -102,6 +104,7 @@ pub(super) fn pieces<'s>(source: &'s Source, tokens: &[Token]) -> Vec<Piece<'s>>
                 if let Some(last) = found.last_mut() {
                     last.comma = true;
                 }
+                before.lines = 0;
             }
             kind => found.push(before.piece(kind, text, token.span.start)),
         }
@@ -112,7 +115,8 @@ pub(super) fn pieces<'s>(source: &'s Source, tokens: &[Token]) -> Vec<Piece<'s>>
 
 impl<'s> Before<'s> {
     fn comment(&mut self, text: &'s str) {
-        let own_line = self.lines > 0 || self.newline && self.comments.is_empty();
+        let first = self.comments.is_empty() && !self.at_start;
+        let own_line = self.lines > 0 || !first;
         self.comments.push(Comment { text: text.trim_end(), own_line, blank: self.lines > 1 });
         self.lines = 0;
         self.newline = true;

@@ -147,6 +147,8 @@ struct Tree<'p> {
     progress: &'p mut Progress,
     /// The tree became too deep, and the rest of the row is let go.
     too_deep: bool,
+    /// The row has comparisons or ranges in a chain, and it was said.
+    chained: bool,
 }
 
 impl Tree<'_> {
@@ -154,7 +156,8 @@ impl Tree<'_> {
         if links.is_empty() && nots.is_empty() {
             return first;
         }
-        let mut tree = Tree { operands: Vec::new(), waiting: Vec::new(), progress, too_deep: false };
+        let mut tree =
+            Tree { operands: Vec::new(), waiting: Vec::new(), progress, too_deep: false, chained: false };
         tree.operand(nots, first);
         for ((operator, span), nots, operand) in links {
             if tree.too_deep {
@@ -179,7 +182,8 @@ impl Tree<'_> {
             if waiting.precedence() < operator.precedence() {
                 break;
             }
-            if waiting.precedence() == operator.precedence() && operator.stands_alone() {
+            if waiting.precedence() == operator.precedence() && operator.stands_alone() && !self.chained {
+                self.chained = true;
                 self.progress.said.push(chained(operator, before, span));
             }
             self.reduce();

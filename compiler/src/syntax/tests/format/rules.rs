@@ -32,10 +32,7 @@ fn fractions_are_one_word() {
 
 #[test]
 fn ranges_are_tight_between_operands_and_open_where_they_are_limits() {
-    becomes(
-        "let a = [i for i in 0 .. n if i in b]\n".replace(" if i in b", "").as_str(),
-        "let a = [i for i in 0..n]\n",
-    );
+    becomes("let a = [i for i in 0 .. n]\n", "let a = [i for i in 0..n]\n");
     becomes("let a = 0 ..n-1\n", "let a = 0 .. n - 1\n");
     becomes("let a = -1 .. (n-1)\n", "let a = -1..(n - 1)\n");
     becomes("param a: Int = 3 in 1..5 step 1\n", "param a: Int = 3 in 1 .. 5   step 1\n");
@@ -161,9 +158,7 @@ fn columns_stand_below_each_other() {
         "param a: Int  = 3  in 1 .. 5    step 1\nparam bc: Int = 30 in 1 .. 50   step 1\nparam d: Int  = 3\n",
     );
     becomes(
-        "fabricate a as b {\n    c: 1\n    def: 2 // e\n    require g > 3 // h\n}\n"
-            .replace("g >", "edge >")
-            .as_str(),
+        "fabricate a as b {\n    c: 1\n    def: 2 // e\n    require edge > 3 // h\n}\n",
         "fabricate a as b {\n    c:   1\n    def: 2            // e\n    require edge > 3  // h\n}\n",
     );
     becomes(
@@ -171,7 +166,7 @@ fn columns_stand_below_each_other() {
         "let a = [\n    (1,   20, 3),  // a\n    (100, 2,  3),\n    [1, 2, 3], [4],\n]\n",
     );
     stays("let a =\n    1\nlet bcd = 2\n");
-    stays("let ä = 1\n".replace('ä', "a").as_str());
+    stays("fabricate a as b {\n    c:   1\n    planarize: { d: 1 }\n    efg: 2\n}\n");
 }
 
 #[test]
