@@ -10,10 +10,15 @@ use ifs_compiler::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 pub(super) fn table(analysis: &Analysis, files: usize, out: &Path) -> String {
     let mut text = String::new();
     if let Some(lowered) = &analysis.plan {
-        for (figure, count) in lowered.plan.figures().iter().zip(&lowered.counts) {
+        let counted = lowered.plan.figures().iter().zip(&lowered.counts).zip(&lowered.extents);
+        for ((figure, count), extent) in counted {
             let made = analysis.fabrications.iter().any(|made| made.figure == figure.name);
             if !made {
-                row(&mut text, &figure.to_string(), &format!("{} elements", count.elements));
+                let planar = if figure.shape.planar_by_construction() { PLANAR } else { "" };
+                row(&mut text, &figure.to_string(), &format!("{} elements{planar}", count.elements));
+            }
+            if let Some(sizes) = extent.and_then(|extent| extent.sizes) {
+                row(&mut text, "  sizes", &range([sizes.least, sizes.most].into_iter(), "mm"));
             }
         }
     }
@@ -23,6 +28,9 @@ pub(super) fn table(analysis: &Analysis, files: usize, out: &Path) -> String {
     row(&mut text, "files", &format!("{files} in {}", out.display()));
     text
 }
+
+/// What is said of surfaces whose quads are planar whatever their control points are.
+const PLANAR: &str = ", planar by construction";
 
 fn row(text: &mut String, name: &str, value: &str) {
     // Writing to a String cannot fail.
@@ -61,7 +69,9 @@ fn panel_rows(text: &mut String, figure: &str, panels: &PanelsMade) {
         (Some(worst), Some(mean)) => format!("worst {:.6}, mean {mean:.6}", worst.value),
         _ => "not measured".to_owned(),
     };
-    row(text, "  planarity", &format!("as designed: {}", words(&before)));
+    let planar = panels.figures.iter().all(|figure| figure.planar);
+    let planar = if planar { PLANAR } else { "" };
+    row(text, "  planarity", &format!("as designed: {}{planar}", words(&before)));
     if panels.perturbation.is_some() {
         let moved = panels.panels.iter().map(|panel| panel.moved).fold(0.0, f64::max);
         row(text, "", &format!("planarized:  {} (moved up to {moved:.1} mm)", words(&after)));

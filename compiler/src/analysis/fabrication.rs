@@ -1,28 +1,25 @@
 //! A fabricate block worked out: the figure's elements as boards or planks, planarized first where that is asked for.
 
+mod panels;
+mod planks;
 mod refusals;
 
 use super::measures;
-use super::placed::{FigureGeometry, figure_geometry, quad_labels, segment_labels};
+use super::placed::{FigureGeometry, figure_geometry};
 use super::requirements::{LimitValue, RequirementResult, evaluate_limit};
-use super::settings::{self, SettingValue};
+use super::settings::SettingValue;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
-use crate::fabricate::panel::{Grain, Panel, PanelSettings, RefusedPanel, Side, panels};
-use crate::fabricate::plank::{Ends, Plank, PlankError, PlankSettings, RefusedPlank, planks};
+use crate::fabricate::panel::{Panel, PanelSettings, RefusedPanel};
+use crate::fabricate::plank::{Plank, PlankSettings, RefusedPlank};
 use crate::geometry::QuadMesh;
 use crate::hir::evaluate::Evaluator;
-use crate::hir::schema::{Measure, SchemaKind};
+use crate::hir::schema::SchemaKind;
 use crate::hir::tree::{Fabricate, Hir};
-use crate::hir::value::Value;
 use crate::plan::FigurePlan;
 use crate::plan::lower::Lowered;
-use crate::planarize::{Outcome, Perturbation, perturb};
+use crate::planarize::{Outcome, Perturbation};
 use glam::DVec3;
-use std::ops::ControlFlow;
-
-/// The length of stock where a design names none, mm: longer than any bar.
-const ANY_STOCK: f64 = 1e9;
 
 /// What a fabricate block makes.
 #[derive(Clone, Debug)]
@@ -72,6 +69,8 @@ pub struct PanelFigure {
     pub built: QuadMesh,
     /// What planarizing did.
     pub outcome: Option<Outcome>,
+    /// Whether its quads are planar by construction, and so never planarized.
+    pub planar: bool,
     /// One for each quad.
     pub labels: Vec<Label>,
 }
@@ -94,8 +93,10 @@ pub struct PlanksMade {
 pub struct PlankFigure {
     /// Its place in the plan.
     pub figure: usize,
-    /// Its vertices.
+    /// Its vertices; where it is closed the first is also the last.
     pub points: Vec<DVec3>,
+    /// Whether it goes round.
+    pub closed: bool,
     /// One for each segment.
     pub labels: Vec<Label>,
 }
@@ -198,144 +199,5 @@ impl Work<'_> {
     fn refuse(&mut self, setting: &str, why: &str) {
         let span = self.setting(setting).map_or(self.block.figure_span, |(_, _, span)| *span);
         self.diagnostics.push(Diagnostic::new(Code::E0804, span, why.to_owned()).label("cannot be used"));
-    }
-
-    fn panels(&mut self, limits: &[LimitValue]) -> Option<PanelsMade> {
-        let settings = PanelSettings {
-            material: settings::material(self.hir, &self.setting("material")?.1),
-            board: settings::size(&self.setting("board")?.1)?,
-            side: match settings::choice(self.setting("side")) {
-                Some(0) => Side::Inner,
-                Some(2) => Side::Outer,
-                _ => Side::Centred,
-            },
-            grain: match settings::choice(self.setting("grain")) {
-                Some(0) => Grain::U,
-                Some(1) => Grain::V,
-                _ => Grain::Free,
-            },
-        };
-        let perturbation = match self.setting("planarize").cloned() {
-            None => None,
-            Some((_, value, span)) => match settings::perturbation(&value, span, self.goal(limits)) {
-                Ok(options) => Some(options),
-                Err(diagnostic) => {
-                    self.diagnostics.push(diagnostic);
-                    return None;
-                }
-            },
-        };
-        let mut made = PanelsMade {
-            settings,
-            perturbation,
-            figures: Vec::new(),
-            panels: Vec::new(),
-            refused: Vec::new(),
-        };
-        let figures: Vec<(usize, FigurePlan)> =
-            self.figures().into_iter().map(|(place, figure)| (place, figure.clone())).collect();
-        for (place, figure) in figures {
-            self.surface(place, &figure, &mut made)?;
-        }
-        self.refused_panels(&made.refused);
-        Some(made)
-    }
-
-    /// The planarity that `require planarity >= …` asks for.
-    fn goal(&self, limits: &[LimitValue]) -> Option<f64> {
-        let required = self.block.requirements.iter().zip(limits);
-        required
-            .filter(|(requirement, _)| requirement.measure == Measure::Planarity)
-            .find_map(|(_, limit)| limit.least())
-    }
-
-    fn surface(&mut self, place: usize, figure: &FigurePlan, made: &mut PanelsMade) -> Option<()> {
-        let FigureGeometry::Surface(designed) = self.geometry(figure)? else {
-            self.wrong_shape(figure, "curve", "planks");
-            return None;
-        };
-        let (rows, columns) = self.plan.counts[place].grid;
-        let labels = quad_labels(&self.plan.plan, figure, rows, columns);
-        let outcome = made
-            .perturbation
-            .as_ref()
-            .map(|options| perturb(&designed, options, &mut |_| ControlFlow::Continue(())));
-        let built = outcome.as_ref().map_or_else(|| designed.clone(), |outcome| outcome.mesh.clone());
-        match panels(&designed, &built, &labels, &made.settings) {
-            Ok(done) => {
-                made.panels.extend(done.panels);
-                made.refused.extend(done.refused);
-            }
-            Err(error) => {
-                let setting = match error {
-                    crate::fabricate::panel::PanelError::NoBoard { .. } => "board",
-                    _ => "material",
-                };
-                self.refuse(setting, &error.to_string());
-                return None;
-            }
-        }
-        made.figures.push(PanelFigure { figure: place, designed, built, outcome, labels });
-        Some(())
-    }
-
-    fn planks(&mut self) -> Option<PlanksMade> {
-        let (depth, width) = settings::size(&self.setting("section")?.1)?;
-        let number =
-            |work: &Self, name: &str| work.setting(name).and_then(|(_, value, _)| Value::number(value));
-        let settings = PlankSettings {
-            material: settings::material(self.hir, &self.setting("material")?.1),
-            depth,
-            width,
-            ends: match settings::choice(self.setting("ends")) {
-                Some(0) => Ends::Square,
-                _ => Ends::Mitred,
-            },
-            gap: number(self, "gap").unwrap_or(0.0),
-            stock: number(self, "stock").unwrap_or(ANY_STOCK),
-        };
-        let mut made = PlanksMade { settings, figures: Vec::new(), planks: Vec::new(), refused: Vec::new() };
-        let figures: Vec<(usize, FigurePlan)> =
-            self.figures().into_iter().map(|(place, figure)| (place, figure.clone())).collect();
-        for (place, figure) in figures {
-            self.curve(place, &figure, &mut made)?;
-        }
-        self.refused_planks(&made.refused);
-        Some(made)
-    }
-
-    fn curve(&mut self, place: usize, figure: &FigurePlan, made: &mut PlanksMade) -> Option<()> {
-        let FigureGeometry::Curve(points) = self.geometry(figure)? else {
-            self.wrong_shape(figure, "surface", "panels");
-            return None;
-        };
-        let labels = segment_labels(&self.plan.plan, figure, points.len().saturating_sub(1));
-        match planks(&points, &labels, &made.settings) {
-            Ok(done) => {
-                made.planks.extend(done.planks);
-                made.refused.extend(done.refused);
-            }
-            Err(error @ PlankError::NoSection { what, .. }) => {
-                let given = ["gap", "stock"]
-                    .into_iter()
-                    .find(|setting| what.starts_with(setting) || what.ends_with(setting));
-                let setting = given.unwrap_or("section");
-                self.refuse(setting, &error.to_string());
-                return None;
-            }
-            Err(error) => {
-                let why = format!("no planks can be made of `{figure}`: {error}");
-                let diagnostic =
-                    Diagnostic::new(Code::E0802, self.block.figure_span, why).label("this figure");
-                let hint = match error {
-                    PlankError::NotPlanar { .. } => "move its control points into one plane",
-                    _ => "are its control points and its level right?",
-                };
-                self.diagnostics.push(diagnostic.hint(hint));
-                return None;
-            }
-        }
-        made.figures.push(PlankFigure { figure: place, points, labels });
-        Some(())
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn measure(elements: &Elements, measure: Measure, limit: &LimitValue)
             let curves: Vec<Curve<'_>> = made
                 .figures
                 .iter()
-                .map(|figure| Curve { points: &figure.points, labels: &figure.labels })
+                .map(|figure| Curve { points: &figure.points, labels: &figure.labels, closed: figure.closed })
                 .collect();
             checks::overlap::overlap(&curves, *limit)
         }

@@ -16,7 +16,7 @@ mod testing;
 
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
 pub use load::{Library, MOST_BYTES, MOST_FILES, ProjectFile};
-pub use placed::{FigureGeometry, figure_geometry};
+pub use placed::{FigureGeometry, figure_geometry, piece_labels};
 pub use requirements::{LimitValue, RequirementResult};
 pub(crate) use settings::{field, number, text};
 pub use single::{SingleText, single};

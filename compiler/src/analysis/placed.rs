@@ -3,14 +3,18 @@
 use crate::fabricate::label::Label;
 use crate::geometry::{Grid, LARGEST_COORDINATE, QuadMesh, grid::Closed};
 use crate::plan::address::{Address, FigureAddresses};
-use crate::plan::evaluate::{PiecesEvaluator, SheetEvaluator, basis, curve_points};
+use crate::plan::evaluate::{
+    PiecesEvaluator, PointGrid, SheetEvaluator, basis, chain_points, curve_points, net_points, patchwork,
+    swept_points,
+};
 use crate::plan::{FigurePlan, Plan, Shape};
 use glam::DVec3;
+use std::convert::Infallible;
 
 /// A figure in space, mm.
 #[derive(Clone, Debug)]
 pub enum FigureGeometry {
-    /// The points of a chain of segments.
+    /// The points of a chain of segments; of a closed one the first is also the last.
     Curve(Vec<DVec3>),
     /// The quads of a surface, row by row.
     Surface(QuadMesh),
@@ -23,10 +27,7 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
     match &figure.shape {
         Shape::Curve { state, points, level, .. } => {
             let basis = basis(plan.automaton(), *state, *level);
-            let points: Vec<DVec3> =
-                curve_points(&basis, points).into_iter().map(DVec3::from_array).collect();
-            let near = |point: &DVec3| point.abs().max_element() <= LARGEST_COORDINATE && point.is_finite();
-            points.iter().all(near).then_some(FigureGeometry::Curve(points))
+            near(curve_points(&basis, points)).map(FigureGeometry::Curve)
         }
         Shape::Sheet(sheet) => {
             let evaluator = SheetEvaluator::new(plan.automaton(), sheet);
@@ -39,7 +40,36 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
         Shape::Pieces(pieces) => {
             Some(FigureGeometry::Pieces(Box::new(PiecesEvaluator::new(plan.automaton(), pieces))))
         }
+        Shape::Patchwork(plan_of) => {
+            let made = patchwork(plan.automaton(), plan.adjacency(plan_of.state)?, plan_of)?;
+            let vertices = made.vertices.iter().copied().map(DVec3::from_array).collect();
+            let quad = |corners: &[u32]| <[u32; 4]>::try_from(corners).ok();
+            let quads: Option<Vec<[u32; 4]>> = made.polygons().map(quad).collect();
+            QuadMesh::try_new(vertices, quads?).ok().map(FigureGeometry::Surface)
+        }
+        Shape::Chain(chain) => {
+            let mut points = chain_points(plan.automaton(), chain);
+            if chain.closed {
+                points.extend(points.first().copied());
+            }
+            near(points).map(FigureGeometry::Curve)
+        }
+        Shape::Net(net) => surface(net_points(plan.automaton(), net), net.closed),
+        Shape::Swept(swept) => surface(swept_points(plan.automaton(), swept), swept.closed()),
     }
+}
+
+/// The points where all of them can be built.
+fn near(points: Vec<[f64; 3]>) -> Option<Vec<DVec3>> {
+    let points: Vec<DVec3> = points.into_iter().map(DVec3::from_array).collect();
+    let near = |point: &DVec3| point.abs().max_element() <= LARGEST_COORDINATE && point.is_finite();
+    points.iter().all(near).then_some(points)
+}
+
+fn surface(grid: PointGrid, (rows, columns): (bool, bool)) -> Option<FigureGeometry> {
+    let points = grid.points.into_iter().map(DVec3::from_array).collect();
+    let grid = Grid::try_new(grid.rows, grid.columns, points).ok()?;
+    grid.into_mesh(Closed { rows, columns }).ok().map(FigureGeometry::Surface)
 }
 
 /// The names of a curve's segments, in order.
@@ -51,9 +81,13 @@ pub(super) fn segment_labels(plan: &Plan, figure: &FigurePlan, count: usize) -> 
         .collect()
 }
 
-/// The names of a surface's quads, row by row.
+/// The names of a surface's quads, row by row; of a patchwork's in the order of their words.
 pub(super) fn quad_labels(plan: &Plan, figure: &FigurePlan, rows: u64, columns: u64) -> Vec<Label> {
     let addresses = FigureAddresses::new(plan.automaton(), figure);
+    if matches!(figure.shape, Shape::Patchwork(_)) {
+        let elements = (0..rows).filter_map(|element| addresses.segment(element));
+        return elements.map(|address| label(&address, None)).collect();
+    }
     let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
     places
         .filter_map(|(row, column)| {
@@ -61,6 +95,20 @@ pub(super) fn quad_labels(plan: &Plan, figure: &FigurePlan, rows: u64, columns: 
             Some(label(&address, Some((row as u32, column as u32))))
         })
         .collect()
+}
+
+/// The names of the elements of a figure of separate pieces, in the order of their words.
+pub fn piece_labels(plan: &Plan, figure: &FigurePlan, evaluator: &PiecesEvaluator) -> Vec<Label> {
+    let addresses = FigureAddresses::new(plan.automaton(), figure);
+    let mut labels = Vec::new();
+    let Ok(()) = evaluator.stream(|tile| {
+        for element in tile.elements() {
+            let address = addresses.piece(labels.len() as u64, &element);
+            labels.extend(address.map(|address| label(&address, None)));
+        }
+        Ok::<(), Infallible>(())
+    });
+    labels
 }
 
 fn label(address: &Address, place: Option<(u32, u32)>) -> Label {

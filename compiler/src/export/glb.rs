@@ -5,6 +5,9 @@
 //! One node for each figure, and below it:
 //! - `…/curve` each curve as a line strip;
 //! - `…/surface` a surface without boards: triangles along the diagonal of the smaller fold, and its quads' edges;
+//! - `…/pieces` a figure of separate pieces: points as points, segments as lines, polygons and meshes as triangles with
+//!   their edges, struts as bars. Its extras are a table of addresses with the vertices of each, up to
+//!   [`MAX_PART_NODES`] elements; elements stand in the order of their words.
 //! - `…/designed`, `…/planarized` a surface with boards: the same, coloured by planarity, moved beside the boards by
 //!   the translation of their nodes, so that none hides another;
 //! - `…/boards` and below it one closed solid for each board or plank, named by its address, with address, alias and
@@ -13,10 +16,12 @@
 //! Nothing has normals: viewers then shade flat, as boards are.
 
 mod colour;
+mod drawn;
 mod edges;
 mod layout;
 mod nodes;
 mod piece;
+mod pieces;
 mod split;
 
 use std::fmt;
@@ -32,6 +37,8 @@ use crate::geometry::QuadMesh;
 
 /// With more boards and planks than this, each figure's are one mesh with a table of addresses.
 pub const MAX_PART_NODES: usize = 20_000;
+
+pub use pieces::Pieces;
 
 /// What a model holds.
 #[derive(Debug, Clone, Default)]
@@ -53,6 +60,8 @@ pub struct Figure<'a> {
     pub curves: Vec<Curve<'a>>,
     /// Its surfaces.
     pub surfaces: Vec<Surface<'a>>,
+    /// Its separate pieces.
+    pub pieces: Vec<Pieces<'a>>,
     /// Its boards or planks.
     pub parts: Vec<Part<'a>>,
 }

@@ -77,8 +77,26 @@ pub struct FigureReport {
     pub kind: String,
     /// The levels, as the language writes them.
     pub level: String,
-    /// How many elements it has: segments or quads.
+    /// How many elements it has: segments, quads or germs.
     pub elements: u64,
+    /// Whether its quads are planar whatever its control points are.
+    pub planar_by_construction: bool,
+    /// How large it is, where it is of separate pieces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub extent: Option<ExtentReport>,
+}
+
+/// How large a figure is, mm.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ExtentReport {
+    /// The least x, y and z.
+    pub low_mm: [Fixed; 3],
+    /// The greatest x, y and z.
+    pub high_mm: [Fixed; 3],
+    /// The diameter of the smallest element; none where all are points.
+    pub smallest_mm: Option<Fixed>,
+    /// The diameter of the largest element.
+    pub largest_mm: Option<Fixed>,
 }
 
 /// What a `fabricate` block made.

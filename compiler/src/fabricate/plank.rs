@@ -11,7 +11,7 @@ use super::label::Label;
 use super::material::Material;
 use super::solid::Solid;
 
-pub use make::planks;
+pub use make::{closed_planks, planks};
 
 /// How far (mm) a point of a curve may lie off its plane for the curve to count as plane.
 pub const PLANE_TOLERANCE: f64 = 1e-3;

@@ -61,6 +61,13 @@ pub enum Native {
     Polygon,
     Quad,
     Strut,
+    Chain,
+    Weighted,
+    Translation,
+    ScaleTranslation,
+    ProjectiveSum,
+    Revolution,
+    Extrusion,
 }
 
 /// What a parameter takes.
@@ -96,14 +103,26 @@ pub enum Takes {
     Points,
     /// An ifs.
     Ifs,
-    /// A grid of points.
+    /// A list of control points, weighted or not.
+    ControlPoints,
+    /// A grid of control points, weighted or not.
     Net,
     /// A length; a vector where it is the only argument.
     LengthOrVector,
     /// Points one by one, or one list of them.
     Vertices,
-    /// `u`, `v` or `both`.
+    /// `u`, `v` or `uv`.
     Closed,
+    /// True or false.
+    Truth,
+    /// A curve.
+    Curve,
+    /// A vector of space.
+    SpaceVector,
+    /// A whole number.
+    Whole,
+    /// A list of plain numbers.
+    Numbers,
 }
 
 impl Takes {
@@ -120,7 +139,13 @@ impl Takes {
             Takes::Vertices => Some(list(Type::Point(PointSpace::Any))),
             Takes::Truths => Some(list(Type::Bool)),
             Takes::Ifs => Some(Type::Ifs),
-            Takes::Net => Some(list(list(Type::Point(PointSpace::Space)))),
+            Takes::ControlPoints => Some(list(Type::Weighted(PointSpace::Any))),
+            Takes::Net => Some(list(list(Type::Weighted(PointSpace::Space)))),
+            Takes::Truth => Some(Type::Bool),
+            Takes::Curve => Some(Type::Curve),
+            Takes::SpaceVector => Some(Type::Vector(PointSpace::Space)),
+            Takes::Whole => Some(Type::Int),
+            Takes::Numbers => Some(list(Type::NUMBER)),
             Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
             Takes::Quantity
             | Takes::QuantityOrList
@@ -291,7 +316,62 @@ pub const NATIVES: &[NativeDeclaration] = &[
             needs("net", Takes::Net),
             may("closed", Takes::Closed),
         ],
-        "the tensor product on every window of a larger net, joined",
+        "the tensor product on every window of a larger net, joined; `closed: u`, `v` or `uv` closes the net round",
+    ),
+    native(
+        Native::Chain,
+        "curves",
+        "chain",
+        &[needs("ifs", Takes::Ifs), needs("points", Takes::ControlPoints), may("closed", Takes::Truth)],
+        "a curve on every window of consecutive points of a list, joined; `closed: true` goes round",
+    ),
+    native(
+        Native::Weighted,
+        "prelude",
+        "weighted",
+        &[needs("point", Takes::Point), needs("w", Takes::Number)],
+        "a control point with a weight above 0: the curve or surface is rational",
+    ),
+    native(
+        Native::Translation,
+        "surfaces",
+        "translation",
+        &[needs("rail", Takes::Curve), needs("profile", Takes::Curve)],
+        "the profile moved along the rail, rail(i) + (profile(j) - profile(0)): quads planar by construction",
+    ),
+    native(
+        Native::ScaleTranslation,
+        "surfaces",
+        "scale_translation",
+        &[needs("rail", Takes::Curve), needs("profile", Takes::Curve), needs("scale", Takes::Numbers)],
+        "the profile moved along the rail and scaled, by one number for each control point of the rail",
+    ),
+    native(
+        Native::ProjectiveSum,
+        "surfaces",
+        "projective_sum",
+        &[needs("rail", Takes::Curve), needs("profile", Takes::Curve)],
+        "the weighted mean of a point of each curve: quads planar by construction (Stotz 2009)",
+    ),
+    native(
+        Native::Revolution,
+        "surfaces",
+        "revolution",
+        &[
+            needs("profile", Takes::Curve),
+            needs("point", Takes::Point),
+            needs("direction", Takes::SpaceVector),
+            needs("segments", Takes::Whole),
+            may("angle", Takes::Angle),
+        ],
+        "the profile turned round the axis through a point, in so many segments of 360deg or of `angle`",
+    ),
+    native(
+        Native::Extrusion,
+        "surfaces",
+        "extrusion",
+        &[needs("profile", Takes::Curve), needs("vector", Takes::SpaceVector), may("pieces", Takes::Whole)],
+        "the profile moved along a vector, in so many equal pieces",
     ),
     native(
         Native::Translate,
@@ -383,17 +463,8 @@ pub const NATIVES: &[NativeDeclaration] = &[
 ];
 
 /// Names that the language has but the program not yet, with the module they belong to.
-pub const LATER: &[(&str, &str)] = &[
-    ("curves", "chord_fractal"),
-    ("surfaces", "translation"),
-    ("surfaces", "scale_translation"),
-    ("surfaces", "projective_sum"),
-    ("surfaces", "revolution"),
-    ("prelude", "weighted"),
-    ("prelude", "import"),
-    ("prelude", "plane"),
-    ("prelude", "cut"),
-];
+pub const LATER: &[(&str, &str)] =
+    &[("curves", "chord_fractal"), ("prelude", "import"), ("prelude", "plane"), ("prelude", "cut")];
 
 impl Native {
     /// Its declaration.

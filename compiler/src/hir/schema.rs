@@ -49,7 +49,7 @@ impl ChoiceKind {
         const EDGES: &[Word] = &[now("square"), later("bevelled"), later("stepped")];
         const ENDS: &[Word] = &[now("square"), now("mitred")];
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
-        const CLOSED: &[Word] = &[later("u"), later("v"), later("both")];
+        const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];
         const METHOD: &[Word] = &[now("perturbation"), later("projection")];
         match self {
             ChoiceKind::Side => SIDE,

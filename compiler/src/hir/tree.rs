@@ -3,6 +3,7 @@
 use super::native::Native;
 use super::scalar::Scalar;
 use super::schema::{ChoiceKind, Measure, SchemaKind};
+use super::size::UntilExpr;
 use super::types::{PointSpace, Type};
 use super::value::OwnGerm;
 use crate::source::{FileId, Span};
@@ -147,6 +148,10 @@ pub struct Ifs {
     pub germ: Option<Expr>,
     /// What it draws at every level on the way.
     pub keep: Vec<Expr>,
+    /// Its named boundaries.
+    pub boundaries: Vec<Boundary>,
+    /// The joins that are stated of it.
+    pub joins: Vec<Join>,
     /// How many slots a frame has.
     pub slots: u32,
 }
@@ -224,6 +229,32 @@ pub enum Made {
     Elements,
     /// How many vertices it has, joined ones counted once.
     Vertices,
+}
+
+/// A boundary of an ifs: another ifs on points of this one.
+#[derive(Clone, Debug)]
+pub struct Boundary {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub name_span: Span,
+    /// The ifs that it is.
+    pub target: Expr,
+    /// The points that ifs stands on.
+    pub points: Vec<Expr>,
+    /// Where the points stand.
+    pub points_span: Span,
+}
+
+/// `join left.end = right.start`, as written; what the names stand for is known with the arguments.
+#[derive(Clone, Debug)]
+pub struct Join {
+    /// The path before the sign: one or two names.
+    pub left: Vec<(String, Span)>,
+    /// The path after it.
+    pub right: Vec<(String, Span)>,
+    /// The whole member.
+    pub span: Span,
 }
 
 /// A fabricate block.
@@ -362,6 +393,8 @@ pub enum ExprKind {
     On(Box<Expr>, Box<Expr>, Span),
     /// A figure at a level, in one or two directions.
     At(Box<Expr>, Box<Expr>, Option<Box<Expr>>),
+    /// A figure whose level is found by the size of its elements.
+    Until(Box<Expr>, Box<UntilExpr>),
     /// The same, checked to be of the type of this node.
     Convert(Box<Expr>),
     /// Not understood.

@@ -34,6 +34,8 @@ pub enum Type {
     Vector(PointSpace),
     /// A weighted sum of points whose sum is known only when evaluated.
     WeightedSum(PointSpace),
+    /// A point with a weight, or a point: a control point of a rational figure.
+    Weighted(PointSpace),
     /// A list.
     List(Box<Type>),
     /// `a .. b` of whole numbers.
@@ -101,6 +103,8 @@ impl Type {
             (Type::Point(a), Type::Point(b)) => Some(Type::Point(a.join(*b)?)),
             (Type::Vector(a), Type::Vector(b)) => Some(Type::Vector(a.join(*b)?)),
             (Type::Map(a), Type::Map(b)) => Some(Type::Map(a.join(*b)?)),
+            (Type::Weighted(a), Type::Weighted(b) | Type::Point(b) | Type::WeightedSum(b))
+            | (Type::Point(a) | Type::WeightedSum(a), Type::Weighted(b)) => Some(Type::Weighted(a.join(*b)?)),
             (a, b) if a.is_figure() && b.is_figure() => Some(Type::Figure),
             (a, b) => {
                 let space = a.point_space()?.join(b.point_space()?)?;
@@ -122,6 +126,15 @@ impl Type {
             (Type::Record(a), Type::Record(b)) => a == b,
             (Type::Choice(a), Type::Choice(b)) => a == b,
             (a, b) => a.dimension().is_some() && a.dimension() == b.dimension(),
+        }
+    }
+
+    /// The same with points for weighted points.
+    pub fn unweighted(&self) -> Type {
+        match self {
+            Type::Weighted(space) => Type::Point(*space),
+            Type::List(element) => Type::List(Box::new(element.unweighted())),
+            other => other.clone(),
         }
     }
 

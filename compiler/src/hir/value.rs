@@ -1,8 +1,10 @@
 //! Values: what expressions become. Immutable and cheap to copy.
 
 use super::map::Map;
+use super::placed::{Chain, Net, Swept};
 use super::scalar::Scalar;
 use super::schema::ChoiceKind;
+use super::size::Until;
 use super::tree::ItemId;
 use crate::source::Span;
 use std::sync::Arc;
@@ -18,6 +20,8 @@ pub enum Value {
     Text(Arc<str>),
     /// A point, a vector, or a weighted sum on the way.
     Combination(Arc<Combination>),
+    /// A point with its weight, above 0.
+    Weighted(Arc<Combination>, f64),
     /// A list.
     List(Arc<Vec<Value>>),
     /// The whole numbers from the first up to below the second.
@@ -142,12 +146,14 @@ pub struct Figure {
 }
 
 /// A level and where it is said.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Level {
     /// In the first direction.
     pub u: u32,
     /// In the second direction, where it differs.
     pub v: Option<u32>,
+    /// The size by which the level is to be found, where it is not given; it is 0 until then.
+    pub until: Option<Until>,
     /// Where.
     pub span: Span,
 }
@@ -179,6 +185,12 @@ pub enum Shape {
         /// Whether every window of the net is used, or the net is just one window.
         windows: bool,
     },
+    /// One ifs on windows of a list, closed, or on points with weights.
+    Chain(Box<Chain>),
+    /// The product of two ifs on a net that is closed or has weights.
+    Net(Box<Net>),
+    /// A surface made of curves.
+    Swept(Box<Swept>),
 }
 
 impl Value {

@@ -57,6 +57,15 @@ pub struct Boundary {
     pub matrix: Matrix,
 }
 
+/// An end of the curve that segment germs draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// Where its first piece starts.
+    Start,
+    /// Where its last piece ends.
+    Finish,
+}
+
 /// One side of a stated join.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
@@ -74,6 +83,15 @@ pub enum Side {
         /// Place of the transform in the boundary's ifs.
         transform: usize,
     },
+    /// `left.end` of a piece that is drawn as segments.
+    PieceEnd {
+        /// Place of the transform.
+        transform: usize,
+        /// Which end.
+        end: End,
+    },
+    /// `end` of a state that is drawn as segments, after one step.
+    OwnEnd(End),
 }
 
 /// `join left.end = right.start`
@@ -379,6 +397,11 @@ fn check_boundaries(states: &[State], state: &State) -> Result<(), AutomatonErro
             let target = state.boundaries.get(boundary).and_then(|own| states.get(own.target.index()));
             target.is_some_and(|target| transform < target.transforms.len())
         }
+        Side::PieceEnd { transform, .. } => {
+            let target = state.transforms.get(transform).and_then(|piece| states.get(piece.target.index()));
+            target.is_some_and(|target| target.germ.ends().is_some())
+        }
+        Side::OwnEnd(_) => state.germ.ends().is_some(),
     };
     match state.stated_joins.iter().position(|join| !there(&join.left) || !there(&join.right)) {
         Some(join) => Err(AutomatonError::StatedJoin { state: state.name.clone(), join }),

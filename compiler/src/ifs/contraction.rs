@@ -5,7 +5,7 @@
 
 use crate::exact::Rational;
 
-use super::automaton::{Automaton, StateId};
+use super::automaton::{Automaton, StateId, StateSpace};
 use super::difference::{Edge, edges, forward_difference_operator, frame_operator};
 use super::matrix::Matrix;
 use super::spectrum::{euclidean_norm_below, spectral_radius_at_least_one};
@@ -64,6 +64,13 @@ pub enum Contraction {
 /// # Panics
 /// When the state is not of this automaton.
 pub fn contraction(automaton: &Automaton, state: StateId) -> Contraction {
+    // Of frames of the plane and of space the linear parts decide, in their own coordinates.
+    let framed = |id: &StateId| automaton.state(*id).space != StateSpace::Control;
+    if automaton.reachable(state).iter().all(framed)
+        && let Some(proof) = euclidean_proof(automaton, state)
+    {
+        return proof;
+    }
     let edges = edges(automaton, state, forward_difference_operator);
     let exact = edges.iter().map(|edge| edge.operator.infinity_norm()).max().unwrap_or(Rational::ZERO);
     if exact < Rational::ONE {

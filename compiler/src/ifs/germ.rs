@@ -49,6 +49,12 @@ impl Germ {
         }
     }
 
+    /// An edge of a polygon, from vertex `edge` to the next one around; `None` for any other germ and beyond the last.
+    pub fn edge(&self, edge: usize) -> Option<(&[Rational], &[Rational])> {
+        let start = self.vertices.get(edge).filter(|_| self.shape == GermShape::Polygon)?;
+        Some((start, &self.vertices[(edge + 1) % self.vertices.len()]))
+    }
+
     /// Whether it has as many vertices as its shape needs, and faces of vertices that are there.
     pub fn is_complete(&self) -> bool {
         let count = self.vertices.len();

@@ -7,14 +7,21 @@ mod automaton;
 mod contraction;
 mod count;
 mod difference;
+mod equivalence;
 mod germ;
 mod joins;
 mod matrix;
+mod parts;
+mod patch;
+mod size_bound;
 mod spectrum;
+mod stated;
+mod surface;
 mod words;
 
 pub use automaton::{
-    Automaton, AutomatonError, Boundary, MAX_STATES, Side, State, StateId, StateSpace, StatedJoin, Transform,
+    Automaton, AutomatonError, Boundary, End, MAX_STATES, Side, State, StateId, StateSpace, StatedJoin,
+    Transform,
 };
 pub use contraction::{Contraction, Norm, WORD_BUDGET, contraction};
 pub use count::{Count, Drawn, count, drawn};
@@ -22,6 +29,10 @@ pub use difference::difference_norm;
 pub use germ::{Germ, GermShape};
 pub use joins::{Joins, OpenJoin, joins, windows_join};
 pub use matrix::{Matrix, MatrixError};
+pub use patch::{Adjacency, Patch, PieceEdge};
+pub use size_bound::{SizeBound, size_bound};
+pub use stated::{Apart, Stated, stated_join};
+pub use surface::{OpenEdge, SurfaceJoins, surface_joins};
 pub use words::Word;
 
 #[cfg(test)]

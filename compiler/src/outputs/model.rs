@@ -1,12 +1,18 @@
 //! The model of a design: every figure in space with what is made of it.
 
 use crate::analysis::LimitValue;
-use crate::analysis::{Analysis, Elements, Fabrication, FigureGeometry, PanelsMade, figure_geometry};
-use crate::export::glb::{Curve, Figure, GlbError, Model, Panelled, Part, Surface, write_glb};
+use crate::analysis::{
+    Analysis, Elements, Fabrication, FigureGeometry, PanelsMade, figure_geometry, piece_labels,
+};
+use crate::export::glb::{
+    Curve, Figure, GlbError, MAX_PART_NODES, Model, Panelled, Part, Pieces, Surface, write_glb,
+};
 use crate::fabricate::checks::Limit;
+use crate::fabricate::label::Label;
 use crate::geometry::QuadMesh;
 use crate::hir::schema::Measure;
 use crate::hir::tree::ItemId;
+use crate::plan::evaluate::PiecesEvaluator;
 use crate::planarize::Perturbation;
 use glam::DVec3;
 use std::io;
@@ -24,6 +30,7 @@ struct OwnedFigure {
     source: Option<String>,
     curves: Vec<(String, Vec<DVec3>)>,
     surfaces: Vec<OwnedSurface>,
+    pieces: Vec<OwnedPieces>,
     made: Option<Fabrication>,
 }
 
@@ -32,6 +39,13 @@ struct OwnedSurface {
     address: String,
     designed: QuadMesh,
     built: Option<(QuadMesh, f64)>,
+}
+
+#[derive(Debug)]
+struct OwnedPieces {
+    address: String,
+    evaluator: Box<PiecesEvaluator>,
+    labels: Vec<Label>,
 }
 
 impl OwnedModel {
@@ -58,6 +72,7 @@ fn figure(analysis: &Analysis, item: ItemId) -> OwnedFigure {
         source: source_line(analysis, item),
         curves: Vec::new(),
         surfaces: Vec::new(),
+        pieces: Vec::new(),
         made,
     };
     let Some(lowered) = &analysis.plan else { return out };
@@ -76,7 +91,13 @@ fn figure(analysis: &Analysis, item: ItemId) -> OwnedFigure {
             Some(FigureGeometry::Surface(designed)) => {
                 out.surfaces.push(OwnedSurface { address, designed, built: None });
             }
-            Some(FigureGeometry::Pieces(_)) => {}
+            Some(FigureGeometry::Pieces(evaluator)) => {
+                let most = MAX_PART_NODES as u64;
+                let few = lowered.counts.get(place).is_some_and(|count| count.elements <= most);
+                let figure = &lowered.plan.figures()[place];
+                let labels = if few { piece_labels(&lowered.plan, figure, &evaluator) } else { Vec::new() };
+                out.pieces.push(OwnedPieces { address, evaluator, labels });
+            }
             None => {}
         }
     }
@@ -125,6 +146,11 @@ impl OwnedFigure {
                 .as_ref()
                 .map(|(planarized, required)| Panelled { planarized, required: *required }),
         });
+        let pieces = self.pieces.iter().map(|pieces| Pieces {
+            address: &pieces.address,
+            evaluator: &pieces.evaluator,
+            labels: &pieces.labels,
+        });
         let parts: Vec<Part<'_>> = match self.made.as_ref().map(|made| &made.elements) {
             Some(Elements::Panels(made)) => made.panels.iter().map(Part::from).collect(),
             Some(Elements::Planks(made)) => made.planks.iter().map(Part::from).collect(),
@@ -135,6 +161,7 @@ impl OwnedFigure {
             source: self.source.as_deref(),
             curves: curves.collect(),
             surfaces: surfaces.collect(),
+            pieces: pieces.collect(),
             parts,
         }
     }

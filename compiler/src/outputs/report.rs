@@ -5,12 +5,13 @@ use crate::analysis::{Analysis, Elements, Fabrication, PanelsMade, RequirementRe
 use crate::export::number::Fixed;
 use crate::export::part::Part;
 use crate::export::report::{
-    self, Counts, FigureReport, HistoryPoint, MaterialReport, MovedReport, OptionReport, Parameter,
-    PlanarityReport, PlanarizeReport, Quantity, Report, Requirement, SurfaceSummary,
+    self, Counts, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport, OptionReport,
+    Parameter, PlanarityReport, PlanarizeReport, Quantity, Report, Requirement, SurfaceSummary,
 };
 use crate::fabricate::label::Label;
 use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 use crate::hir::schema::Measure;
+use crate::plan::extent::Extent;
 use crate::plan::{Depth, Each, Shape};
 use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
 
@@ -22,25 +23,42 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
         .map(|(name, value)| Parameter { set: analysis.set_parameters.contains(&name), name, value })
         .collect();
     if let Some(lowered) = &analysis.plan {
-        let counted = lowered.plan.figures().iter().zip(&lowered.counts);
+        let counted = lowered.plan.figures().iter().zip(&lowered.counts).zip(&lowered.extents);
         out.figures = counted
-            .map(|(figure, count)| {
-                let (kind, level) = match &figure.shape {
-                    Shape::Curve { level, .. } => ("curve", level.to_string()),
-                    Shape::Sheet(sheet) if sheet.levels.0 == sheet.levels.1 => {
-                        ("surface", sheet.levels.0.to_string())
-                    }
-                    Shape::Sheet(sheet) => ("surface", format!("({}, {})", sheet.levels.0, sheet.levels.1)),
-                    Shape::Pieces(pieces) => ("figure", depth_words(&pieces.depth)),
+            .map(|((figure, count), extent)| {
+                let shape = &figure.shape;
+                let level = match shape {
+                    Shape::Pieces(pieces) => depth_words(&pieces.depth),
+                    _ => shape.level_words(),
                 };
-                let (name, kind) = (figure.to_string(), kind.to_owned());
-                FigureReport { name, kind, level, elements: count.elements }
+                let kind = match shape {
+                    Shape::Pieces(_) => "figure",
+                    _ if shape.is_curve() => "curve",
+                    _ => "surface",
+                };
+                FigureReport {
+                    name: figure.to_string(),
+                    kind: kind.to_owned(),
+                    level,
+                    elements: count.elements,
+                    planar_by_construction: shape.planar_by_construction(),
+                    extent: extent.as_ref().map(extent_report),
+                }
             })
             .collect();
     }
     let made = analysis.fabrications.iter().zip(parts);
     out.fabrications = made.map(|(made, parts)| fabrication(analysis, made, parts)).collect();
     out
+}
+
+fn extent_report(extent: &Extent) -> ExtentReport {
+    ExtentReport {
+        low_mm: extent.low.map(Fixed::mm),
+        high_mm: extent.high.map(Fixed::mm),
+        smallest_mm: extent.sizes.map(|sizes| Fixed::mm(sizes.least)),
+        largest_mm: extent.sizes.map(|sizes| Fixed::mm(sizes.most)),
+    }
 }
 
 /// `9`, or `each until size <= 20mm`

@@ -1,7 +1,9 @@
 //! Addresses: the word of each element, and its short alias (OUTPUTS 2).
 //!
-//! An address is `figure[.index][.row-column of its window].word`; letters of a product are pairs `left-right`, u first,
-//! with the side left empty that has fewer levels. An alias is `shell-07-12`, `vault-2-05`, `curve-05`.
+//! An address is `figure[.index][.window].word`: the window of a chain is its number, that of a sheet its row and column;
+//! letters of a product are pairs `left-right`, u first, with the side left empty that has fewer levels. Where a path
+//! goes in plain steps (a revolution) the row is the step, and the letters are those of the profile alone. An alias is
+//! `shell-07-12`, `vault-2-05`, `curve-05`.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -10,7 +12,8 @@ use crate::ifs::{Automaton, StateId, Word};
 
 use super::budget::figure_count;
 use super::evaluate::PieceElement;
-use super::figure::{FigurePlan, Shape, SheetPlan};
+use super::figure::{FigurePlan, Shape};
+use super::uses::StateUse;
 
 /// Where an element stands in its figure, independent of evaluation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,12 +22,21 @@ pub struct Address {
     pub figure: String,
     /// Its place in a list of figures.
     pub index: Option<u32>,
-    /// Row and column of the window, for a sheet of windows.
-    pub window: Option<(u64, u64)>,
+    /// The window, for a chain or a sheet of windows.
+    pub window: Option<Window>,
     /// The letters: `left`, `branch.0`, or pairs `left-right`.
     pub word: Vec<String>,
     /// The short name, unique in the design, that is engraved.
     pub alias: String,
+}
+
+/// The window of the control points that an element belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Window {
+    /// Its place along a chain.
+    Place(u64),
+    /// Its row and column on a net; the row may be a plain step of a path.
+    RowColumn(u64, u64),
 }
 
 impl fmt::Display for Address {
@@ -33,8 +45,10 @@ impl fmt::Display for Address {
         if let Some(index) = self.index {
             write!(f, ".{index}")?;
         }
-        if let Some((row, column)) = self.window {
-            write!(f, ".{row}-{column}")?;
+        match self.window {
+            Some(Window::Place(place)) => write!(f, ".{place}")?,
+            Some(Window::RowColumn(row, column)) => write!(f, ".{row}-{column}")?,
+            None => {}
         }
         self.word.iter().try_for_each(|letter| write!(f, ".{letter}"))
     }
@@ -102,12 +116,46 @@ impl<'a> ChainWords<'a> {
 
 /// The addresses of one figure's elements.
 pub struct FigureAddresses<'a> {
+    automaton: &'a Automaton,
     figure: &'a FigurePlan,
-    u: ChainWords<'a>,
-    v: Option<(ChainWords<'a>, &'a SheetPlan)>,
-    windows: (u64, u64),
+    u: Direction<'a>,
+    v: Option<Direction<'a>>,
+    /// Whether addresses name windows.
+    windows: bool,
     /// Elements of a figure of pieces.
     pieces: u64,
+}
+
+/// The elements along one direction: so many windows of the words of a chain, or plain steps.
+struct Direction<'a> {
+    windows: u64,
+    words: Option<ChainWords<'a>>,
+}
+
+impl<'a> Direction<'a> {
+    fn of(automaton: &'a Automaton, used: StateUse) -> Direction<'a> {
+        let words = ChainWords::new(automaton, used.state, used.level);
+        Direction { windows: used.windows(automaton) as u64, words: Some(words) }
+    }
+
+    fn steps(count: u32) -> Direction<'a> {
+        Direction { windows: u64::from(count), words: None }
+    }
+
+    fn elements(&self) -> u64 {
+        self.windows * self.words.as_ref().map_or(1, ChainWords::elements)
+    }
+
+    /// The window of an element and its letters there; `None` beyond the last.
+    fn place(&self, element: u64) -> Option<(u64, Vec<&'a str>)> {
+        let size = self.words.as_ref().map_or(1, ChainWords::elements);
+        let (window, rest) = (element.checked_div(size)?, element.checked_rem(size)?);
+        let letters = match &self.words {
+            Some(words) => words.names(rest)?,
+            None => Vec::new(),
+        };
+        (window < self.windows).then_some((window, letters))
+    }
 }
 
 impl<'a> FigureAddresses<'a> {
@@ -116,54 +164,50 @@ impl<'a> FigureAddresses<'a> {
     /// # Panics
     /// When its states are not of this automaton.
     pub fn new(automaton: &'a Automaton, figure: &'a FigurePlan) -> FigureAddresses<'a> {
-        match &figure.shape {
-            Shape::Curve { state, level, .. } => {
-                let u = ChainWords::new(automaton, *state, *level);
-                FigureAddresses { figure, u, v: None, windows: (1, 1), pieces: 0 }
-            }
-            Shape::Pieces(plan) => {
-                let u = ChainWords::new(automaton, plan.state, 0);
-                let pieces = figure_count(automaton, figure, u32::MAX).map_or(0, |count| count.elements);
-                FigureAddresses { figure, u, v: None, windows: (1, 1), pieces }
-            }
-            Shape::Sheet(sheet) => {
-                let windows = |points: usize, state: StateId| {
-                    (points + 1).saturating_sub(automaton.state(state).control_points) as u64
-                };
-                FigureAddresses {
-                    figure,
-                    u: ChainWords::new(automaton, sheet.u, sheet.levels.0),
-                    v: Some((ChainWords::new(automaton, sheet.v, sheet.levels.1), sheet)),
-                    windows: (windows(sheet.net_rows, sheet.u), windows(sheet.net_columns, sheet.v)),
-                    pieces: 0,
-                }
-            }
-        }
+        let mut uses = figure.shape.uses().into_iter().map(|used| Direction::of(automaton, used));
+        let steps = match &figure.shape {
+            Shape::Swept(swept) => swept.steps().map(Direction::steps),
+            _ => None,
+        };
+        let windows = match &figure.shape {
+            Shape::Curve { .. } | Shape::Pieces(_) | Shape::Patchwork(_) => false,
+            Shape::Sheet(sheet) => sheet.windows,
+            Shape::Chain(chain) => chain.windows,
+            Shape::Net(net) => net.sheet.windows,
+            Shape::Swept(swept) => steps.is_some() || swept.curves().any(|curve| curve.windows),
+        };
+        let u = steps.or_else(|| uses.next()).unwrap_or(Direction { windows: 0, words: None });
+        let pieces = match &figure.shape {
+            Shape::Pieces(_) => figure_count(automaton, figure, u32::MAX).map_or(0, |count| count.elements),
+            _ => 0,
+        };
+        FigureAddresses { figure, u, v: uses.next(), windows, pieces, automaton }
     }
 
-    /// The address of a curve's segment, by its place along the chain; `None` for other figures or beyond the end.
+    /// The address of a curve's segment, by its place along the chain, or of a patchwork's polygon, by its place in the
+    /// order of words; `None` for other figures or beyond the end.
     pub fn segment(&self, element: u64) -> Option<Address> {
-        if !matches!(self.figure.shape, Shape::Curve { .. }) {
+        if self.v.is_some() || matches!(self.figure.shape, Shape::Pieces(_)) {
             return None;
         }
-        let word = self.u.names(element)?.into_iter().map(str::to_owned).collect();
+        let (window, letters) = self.u.place(element)?;
+        let word = letters.into_iter().map(str::to_owned).collect();
         let width = digits(self.u.elements() - 1);
-        Some(self.address(None, word, format!("-{element:0width$}")))
+        Some(self.address(Window::Place(window), word, format!("-{element:0width$}")))
     }
 
-    /// The address of a sheet's quad, by its row (along u) and column (along v) over the whole sheet; `None` for a curve
-    /// or beyond the edges.
+    /// The address of a surface's quad, by its row (along u) and column (along v) over the whole surface; `None` for a
+    /// curve or beyond the edges.
     pub fn quad(&self, row: u64, column: u64) -> Option<Address> {
-        let (v, sheet) = self.v.as_ref()?;
-        let size = (self.u.elements(), v.elements());
-        let window = (row / size.0, column / size.1);
-        if window.0 >= self.windows.0 || window.1 >= self.windows.1 {
-            return None;
-        }
-        let word = pairs(&self.u.names(row % size.0)?, &v.names(column % size.1)?);
-        let width = digits((self.windows.0 * size.0).max(self.windows.1 * size.1) - 1);
+        let v = self.v.as_ref()?;
+        let ((u_window, u_letters), (v_window, v_letters)) = (self.u.place(row)?, v.place(column)?);
+        let word = match self.u.words {
+            Some(_) => pairs(&u_letters, &v_letters),
+            None => v_letters.into_iter().map(str::to_owned).collect(),
+        };
+        let width = digits(self.u.elements().max(v.elements()) - 1);
         let alias = format!("-{row:0width$}-{column:0width$}");
-        Some(self.address(sheet.windows.then_some(window), word, alias))
+        Some(self.address(Window::RowColumn(u_window, v_window), word, alias))
     }
 
     /// The address of an element of separate pieces, as evaluation gives it, with its place in their order; `None` for
@@ -172,17 +216,17 @@ impl<'a> FigureAddresses<'a> {
     pub fn piece(&self, place: u64, element: &PieceElement<'_>) -> Option<Address> {
         let Shape::Pieces(plan) = &self.figure.shape else { return None };
         let letters = Word { start: plan.state, letters: element.letters().collect() };
-        let mut word: Vec<String> = letters.names(self.u.automaton).into_iter().map(str::to_owned).collect();
+        let mut word: Vec<String> = letters.names(self.automaton).into_iter().map(str::to_owned).collect();
         word.extend(element.drawn.kept.filter(|kept| *kept > 0).map(|kept| format!("keep-{}", kept + 1)));
         let width = digits(self.pieces.saturating_sub(1));
-        Some(self.address(None, word, format!("-{place:0width$}")))
+        Some(self.address(Window::Place(0), word, format!("-{place:0width$}")))
     }
 
-    fn address(&self, window: Option<(u64, u64)>, word: Vec<String>, place: String) -> Address {
+    fn address(&self, window: Window, word: Vec<String>, place: String) -> Address {
         let (figure, index) = (self.figure.name.clone(), self.figure.index);
         let list = index.map_or(String::new(), |index| format!("-{index}"));
         let alias = format!("{figure}{list}{place}");
-        Address { figure, index, window, word, alias }
+        Address { figure, index, window: self.windows.then_some(window), word, alias }
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt;
 use crate::ifs::{Automaton, Count, Drawn, StateId, count, drawn};
 
 use super::figure::{Depth, FigurePlan, Plan, Shape};
+use super::uses::StateUse;
 
 /// Deepest level that is evaluated; an address has one letter a level.
 pub const MAX_LEVEL: u32 = 1000;
@@ -14,7 +15,7 @@ pub const MAX_LEVEL: u32 = 1000;
 pub struct FigureCount {
     /// Segments of a curve, quads of a sheet, germs of pieces with those that are kept.
     pub elements: u64,
-    /// Vertices, joined ones counted once.
+    /// Vertices, joined ones counted once; of a patchwork, all corners of its polygons.
     pub vertices: u64,
     /// Elements along u and v; a curve and pieces have 1 along v.
     pub grid: (u64, u64),
@@ -86,21 +87,12 @@ pub fn check(plan: &Plan, limit: u64) -> Result<Vec<FigureCount>, BudgetError> {
             _ => return Err(too_many(plan, figure, limit)),
         }
     }
-    let deepest = |figure: &&FigurePlan| level(figure) > MAX_LEVEL;
+    let deepest = |figure: &&FigurePlan| figure.shape.deepest() > MAX_LEVEL;
     match plan.figures().iter().find(deepest) {
-        Some(figure) => Err(BudgetError::TooDeep { figure: figure.to_string(), level: level(figure) }),
+        Some(figure) => {
+            Err(BudgetError::TooDeep { figure: figure.to_string(), level: figure.shape.deepest() })
+        }
         None => Ok(counts),
-    }
-}
-
-fn level(figure: &FigurePlan) -> u32 {
-    match &figure.shape {
-        Shape::Curve { level, .. } => *level,
-        Shape::Sheet(sheet) => sheet.levels.0.max(sheet.levels.1),
-        Shape::Pieces(pieces) => match pieces.depth {
-            Depth::Level(level) => level,
-            Depth::Each(each) => each.deepest,
-        },
     }
 }
 
@@ -111,7 +103,7 @@ fn too_many(plan: &Plan, figure: &FigurePlan, limit: u64) -> BudgetError {
         })
     };
     let fits_at = |cut: u32| total(cut).is_some_and(|elements| elements <= limit);
-    let deepest = plan.figures().iter().map(level).max().unwrap_or(0);
+    let deepest = plan.figures().iter().map(|figure| figure.shape.deepest()).max().unwrap_or(0);
     // Counts never fall with the level, so bisection finds the last one that fits.
     let fits = fits_at(0).then(|| {
         let (mut fits, mut fails) = (0, deepest.min(MAX_LEVEL));
@@ -128,20 +120,6 @@ fn too_many(plan: &Plan, figure: &FigurePlan, limit: u64) -> BudgetError {
 /// The counts of one figure with its levels cut back to `cut`; `None` when they do not fit in 64 bits.
 pub(super) fn figure_count(automaton: &Automaton, figure: &FigurePlan, cut: u32) -> Option<FigureCount> {
     match &figure.shape {
-        Shape::Curve { state, level, .. } => {
-            let elements = chain_count(automaton, *state, (*level).min(cut))?;
-            Some(FigureCount { elements, vertices: elements.checked_add(1)?, grid: (elements, 1) })
-        }
-        Shape::Sheet(sheet) => {
-            let along = |state: StateId, points: usize, level: u32| {
-                let windows = points.checked_sub(automaton.state(state).control_points)? + 1;
-                chain_count(automaton, state, level.min(cut))?.checked_mul(windows as u64)
-            };
-            let u = along(sheet.u, sheet.net_rows, sheet.levels.0)?;
-            let v = along(sheet.v, sheet.net_columns, sheet.levels.1)?;
-            let vertices = u.checked_add(1)?.checked_mul(v.checked_add(1)?)?;
-            Some(FigureCount { elements: u.checked_mul(v)?, vertices, grid: (u, v) })
-        }
         Shape::Pieces(pieces) => {
             let Drawn { elements, vertices } = match pieces.depth {
                 Depth::Level(level) => drawn(automaton, pieces.state, level.min(cut))?,
@@ -149,7 +127,42 @@ pub(super) fn figure_count(automaton: &Automaton, figure: &FigurePlan, cut: u32)
             };
             Some(FigureCount { elements, vertices, grid: (elements, 1) })
         }
+        Shape::Patchwork(patchwork) => {
+            let level = patchwork.level.min(cut);
+            let elements = chain_count(automaton, patchwork.state, level)?;
+            let corners = automaton
+                .reachable(patchwork.state)
+                .into_iter()
+                .map(|id| automaton.state(id).germ.vertices.len())
+                .max()?;
+            let vertices = elements.checked_mul(corners as u64)?;
+            Some(FigureCount { elements, vertices, grid: (elements, 1) })
+        }
+        _ => chains_count(automaton, &figure.shape, cut),
     }
+}
+
+/// The counts of a figure of chains: one for a curve, two for a surface.
+fn chains_count(automaton: &Automaton, shape: &Shape, cut: u32) -> Option<FigureCount> {
+    let mut along = shape.uses().into_iter().map(|used| elements(automaton, used, cut));
+    if shape.is_curve() {
+        let elements = along.next()??;
+        let vertices = elements.checked_add(u64::from(!shape.closed().0))?;
+        return Some(FigureCount { elements, vertices, grid: (elements, 1) });
+    }
+    let u = match shape {
+        Shape::Swept(swept) if swept.steps().is_some() => u64::from(swept.steps()?),
+        _ => along.next()??,
+    };
+    let v = along.next()??;
+    let vertices = |elements: u64, closed: bool| elements.checked_add(u64::from(!closed));
+    let vertices = vertices(u, shape.closed().0)?.checked_mul(vertices(v, shape.closed().1)?)?;
+    Some(FigureCount { elements: u.checked_mul(v)?, vertices, grid: (u, v) })
+}
+
+/// The elements along one chain with its level cut back to `cut`.
+fn elements(automaton: &Automaton, used: StateUse, cut: u32) -> Option<u64> {
+    chain_count(automaton, used.state, used.level.min(cut))?.checked_mul(used.windows(automaton) as u64)
 }
 
 fn chain_count(automaton: &Automaton, state: StateId, level: u32) -> Option<u64> {

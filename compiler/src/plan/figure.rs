@@ -3,9 +3,15 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::ifs::{Automaton, Drawn, Joins, StateId, joins, windows_join};
+use crate::ifs::{
+    Adjacency, Automaton, Drawn, Joins, StateId, SurfaceJoins, joins, surface_joins, windows_join,
+};
 
 use super::size::SizeBound;
+
+use super::chain::{ChainPlan, homogeneous};
+use super::net::NetPlan;
+use super::swept::{Path, Rule, SweptPlan};
 
 /// How many coordinates a design gave a figure's points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +59,27 @@ pub enum Shape {
     Sheet(SheetPlan),
     /// Pieces that do not join.
     Pieces(PiecesPlan),
+    /// Polygons that share their edges.
+    Patchwork(PatchworkPlan),
+    /// A chain of segments over windows, closed, or rational.
+    Chain(ChainPlan),
+    /// A grid of quads that is closed or rational.
+    Net(NetPlan),
+    /// A grid of quads that is planar by construction.
+    Swept(SweptPlan),
+}
+
+/// A surface of one ifs with polygon germs, whose pieces are proved to share their edges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatchworkPlan {
+    /// The ifs it runs.
+    pub state: StateId,
+    /// Its control points, in millimetres.
+    pub points: Vec<[f64; 3]>,
+    /// The iteration level.
+    pub level: u32,
+    /// Of the plane or of space.
+    pub dimension: Dimension,
 }
 
 /// A figure whose pieces are drawn one by one and share nothing (LANGUAGE 9): a fern, a column that keeps its trunk.
@@ -106,6 +133,7 @@ pub struct Plan {
     automaton: Automaton,
     figures: Vec<FigurePlan>,
     joins: BTreeMap<StateId, Joins>,
+    surfaces: BTreeMap<StateId, SurfaceJoins>,
 }
 
 /// Why a design is no plan. `figure` is the figure's text: `vault[2]`.
@@ -145,6 +173,13 @@ pub enum PlanError {
         /// The point, by its place in the list or net.
         point: usize,
     },
+    /// A weight that is not above 0, or not one for each point.
+    Weight {
+        /// The figure.
+        figure: String,
+        /// The point, by its place in the list or net.
+        point: usize,
+    },
     /// Pieces that do not meet, or are not proved to.
     NotJoined {
         /// The figure.
@@ -155,6 +190,13 @@ pub enum PlanError {
         windows: bool,
         /// What is known of them.
         joins: Joins,
+    },
+    /// Polygons that do not share their edges, or are not proved to.
+    NotSurface {
+        /// The figure.
+        figure: String,
+        /// The state.
+        state: StateId,
     },
 }
 
@@ -174,6 +216,12 @@ impl fmt::Display for PlanError {
             ),
             PlanError::NotFinite { figure, point } => {
                 write!(f, "control point {point} of `{figure}` has a coordinate beyond all bounds")
+            }
+            PlanError::NotSurface { figure, .. } => {
+                write!(f, "the polygons of `{figure}` are not proved to share their edges")
+            }
+            PlanError::Weight { figure, point } => {
+                write!(f, "control point {point} of `{figure}` has no weight above 0")
             }
             PlanError::NotJoined { figure, windows, .. } => {
                 let pieces = if *windows { "neighbouring windows" } else { "pieces" };
@@ -201,7 +249,8 @@ impl Plan {
     /// # Errors
     /// The first [`PlanError`] in the order of figures.
     pub fn try_new(automaton: Automaton, figures: Vec<FigurePlan>) -> Result<Plan, PlanError> {
-        let mut plan = Plan { automaton, figures: Vec::new(), joins: BTreeMap::new() };
+        let mut plan =
+            Plan { automaton, figures: Vec::new(), joins: BTreeMap::new(), surfaces: BTreeMap::new() };
         for figure in figures {
             plan.check(&figure)?;
             plan.figures.push(figure);
@@ -224,18 +273,55 @@ impl Plan {
         &self.joins
     }
 
+    /// How the polygons of a patchwork of this state share their edges; `None` when no figure of the plan is one.
+    pub fn adjacency(&self, state: StateId) -> Option<&Adjacency> {
+        match self.surfaces.get(&state) {
+            Some(SurfaceJoins::Joined(adjacency)) => Some(adjacency),
+            _ => None,
+        }
+    }
+
     fn check(&mut self, figure: &FigurePlan) -> Result<(), PlanError> {
         match &figure.shape {
             Shape::Curve { state, points, .. } => {
                 self.check_points(figure, *state, points)?;
                 self.check_joined(figure, *state)
             }
-            Shape::Sheet(sheet) => self.check_sheet(figure, sheet),
             Shape::Pieces(pieces) => {
                 self.check_points(figure, pieces.state, &pieces.points)?;
                 let found = || joins(&self.automaton, pieces.state);
                 self.joins.entry(pieces.state).or_insert_with(found);
                 Ok(())
+            }
+            Shape::Patchwork(patchwork) => {
+                let expected = self.control_points(figure, patchwork.state)?;
+                if patchwork.points.len() != expected {
+                    let found = patchwork.points.len();
+                    return Err(PlanError::PointCount { figure: figure.to_string(), expected, found });
+                }
+                check_finite(figure, &patchwork.points)?;
+                let (automaton, state) = (&self.automaton, patchwork.state);
+                let known = self.surfaces.entry(state).or_insert_with(|| surface_joins(automaton, state));
+                match known {
+                    SurfaceJoins::Joined(_) => Ok(()),
+                    _ => Err(PlanError::NotSurface { figure: figure.to_string(), state }),
+                }
+            }
+            Shape::Sheet(sheet) => self.check_sheet(figure, sheet, (false, false)),
+            Shape::Chain(chain) => self.check_chain(figure, chain),
+            Shape::Net(net) => {
+                self.check_sheet(figure, &net.sheet, net.closed)?;
+                check_weights(figure, &net.sheet.net, net.weights.as_deref())
+            }
+            Shape::Swept(swept) => {
+                swept.curves().try_for_each(|curve| self.check_chain(figure, curve))?;
+                match &swept.path {
+                    Path::Rail(rail, Rule::Scaled(scale)) if scale.len() != rail.points.len() => {
+                        let (expected, found) = (rail.points.len(), scale.len());
+                        Err(PlanError::PointCount { figure: figure.to_string(), expected, found })
+                    }
+                    _ => Ok(()),
+                }
             }
         }
     }
@@ -254,7 +340,31 @@ impl Plan {
         check_finite(figure, points)
     }
 
-    fn check_sheet(&mut self, figure: &FigurePlan, sheet: &SheetPlan) -> Result<(), PlanError> {
+    fn check_chain(&mut self, figure: &FigurePlan, chain: &ChainPlan) -> Result<(), PlanError> {
+        let expected = self.control_points(figure, chain.state)?;
+        let found = chain.points.len();
+        if if chain.windows { found < expected } else { found != expected } {
+            return Err(PlanError::PointCount { figure: figure.to_string(), expected, found });
+        }
+        check_finite(figure, &chain.points)?;
+        check_weights(figure, &chain.points, chain.weights.as_deref())?;
+        self.check_joined(figure, chain.state)?;
+        if chain.closed || found > expected { self.check_windows(figure, chain.state) } else { Ok(()) }
+    }
+
+    fn check_windows(&self, figure: &FigurePlan, state: StateId) -> Result<(), PlanError> {
+        match windows_join(&self.automaton, state) {
+            Joins::Joined => Ok(()),
+            joins => Err(PlanError::NotJoined { figure: figure.to_string(), state, windows: true, joins }),
+        }
+    }
+
+    fn check_sheet(
+        &mut self,
+        figure: &FigurePlan,
+        sheet: &SheetPlan,
+        closed: (bool, bool),
+    ) -> Result<(), PlanError> {
         let window = (self.control_points(figure, sheet.u)?, self.control_points(figure, sheet.v)?);
         let net = (sheet.net_rows, sheet.net_columns);
         let fits = if sheet.windows { net.0 >= window.0 && net.1 >= window.1 } else { net == window };
@@ -263,18 +373,12 @@ impl Plan {
             return Err(PlanError::NetSize { figure: figure.to_string(), window, net, points });
         }
         check_finite(figure, &sheet.net)?;
-        for (state, points, window) in [(sheet.u, net.0, window.0), (sheet.v, net.1, window.1)] {
+        for (state, points, window, closed) in
+            [(sheet.u, net.0, window.0, closed.0), (sheet.v, net.1, window.1, closed.1)]
+        {
             self.check_joined(figure, state)?;
-            if points > window {
-                let joins = windows_join(&self.automaton, state);
-                if joins != Joins::Joined {
-                    return Err(PlanError::NotJoined {
-                        figure: figure.to_string(),
-                        state,
-                        windows: true,
-                        joins,
-                    });
-                }
+            if closed || points > window {
+                self.check_windows(figure, state)?;
             }
         }
         Ok(())
@@ -298,6 +402,19 @@ impl Plan {
 
 fn check_finite(figure: &FigurePlan, points: &[[f64; 3]]) -> Result<(), PlanError> {
     match points.iter().position(|point| point.iter().any(|coordinate| !coordinate.is_finite())) {
+        Some(point) => Err(PlanError::NotFinite { figure: figure.to_string(), point }),
+        None => Ok(()),
+    }
+}
+
+fn check_weights(figure: &FigurePlan, points: &[[f64; 3]], weights: Option<&[f64]>) -> Result<(), PlanError> {
+    let Some(weights) = weights else { return Ok(()) };
+    let wrong = weights.iter().position(|weight| !(*weight > 0.0 && weight.is_finite()));
+    if let Some(point) = wrong.or((weights.len() != points.len()).then_some(weights.len())) {
+        return Err(PlanError::Weight { figure: figure.to_string(), point });
+    }
+    let rows = homogeneous(points, weights);
+    match rows.iter().position(|row| row.iter().any(|entry| !entry.is_finite())) {
         Some(point) => Err(PlanError::NotFinite { figure: figure.to_string(), point }),
         None => Ok(()),
     }

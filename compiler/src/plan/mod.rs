@@ -5,13 +5,25 @@
 
 pub mod address;
 pub mod budget;
+mod chain;
 pub mod evaluate;
+pub mod extent;
 mod figure;
 pub mod lower;
+mod net;
 mod print;
 pub mod size;
+mod swept;
+pub mod until;
+mod uses;
 
-pub use figure::{Depth, Dimension, Each, FigurePlan, PiecesPlan, Plan, PlanError, Shape, SheetPlan};
+pub use chain::ChainPlan;
+pub use figure::{
+    Depth, Dimension, Each, FigurePlan, PatchworkPlan, PiecesPlan, Plan, PlanError, Shape, SheetPlan,
+};
+pub use net::NetPlan;
+pub use swept::{Path, Rule, SweptPlan, Turn};
+pub use uses::StateUse;
 
 #[cfg(test)]
 mod tests;

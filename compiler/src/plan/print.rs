@@ -10,7 +10,9 @@ use crate::ifs::{
     difference_norm,
 };
 
-use super::figure::{Depth, Dimension, Each, FigurePlan, PiecesPlan, Plan, Shape};
+use super::chain::ChainPlan;
+use super::figure::{Depth, Dimension, Each, FigurePlan, PiecesPlan, Plan, Shape, SheetPlan};
+use super::swept::Path;
 
 /// Levels whose counts are printed for a state, at most.
 const PRINTED_LEVELS: u32 = 16;
@@ -33,22 +35,9 @@ impl fmt::Display for Plan {
 /// The states figures stand on, with the highest level at which one does.
 fn root_levels(plan: &Plan) -> BTreeMap<StateId, u32> {
     let mut roots = BTreeMap::new();
-    let mut add = |state: StateId, level: u32| {
-        let highest: &mut u32 = roots.entry(state).or_default();
-        *highest = level.max(*highest);
-    };
-    for figure in plan.figures() {
-        match &figure.shape {
-            Shape::Curve { state, level, .. } => add(*state, *level),
-            Shape::Sheet(sheet) => {
-                add(sheet.u, sheet.levels.0);
-                add(sheet.v, sheet.levels.1);
-            }
-            Shape::Pieces(pieces) => match pieces.depth {
-                Depth::Level(level) => add(pieces.state, level),
-                Depth::Each(each) => add(pieces.state, each.deepest),
-            },
-        }
+    for used in plan.figures().iter().flat_map(|figure| figure.shape.uses()) {
+        let highest: &mut u32 = roots.entry(used.state).or_default();
+        *highest = used.level.max(*highest);
     }
     roots
 }
@@ -61,6 +50,10 @@ fn write_state(f: &mut fmt::Formatter<'_>, id: StateId, state: &State) -> fmt::R
         write_matrix(f, &transform.matrix)?;
     }
     write_germ(f, "germ", &state.germ)?;
+    for boundary in &state.boundaries {
+        writeln!(f, "  boundary {} is state {}", boundary.name, boundary.target.0)?;
+        write_matrix(f, &boundary.matrix)?;
+    }
     state.keep.iter().try_for_each(|germ| write_germ(f, "keep", germ))
 }
 
@@ -142,18 +135,7 @@ fn write_proofs(f: &mut fmt::Formatter<'_>, plan: &Plan, id: StateId, level: u32
 
 fn write_figure(f: &mut fmt::Formatter<'_>, plan: &Plan, figure: &FigurePlan) -> fmt::Result {
     write!(f, "figure {figure}: ")?;
-    match &figure.shape {
-        Shape::Curve { state, level, dimension, .. } => {
-            write!(f, "curve of state {} {} at level {level}", state.0, dimension_text(*dimension))?;
-        }
-        Shape::Sheet(sheet) => {
-            let kind = if sheet.windows { "sheet" } else { "tensor product" };
-            let (u, v) = sheet.levels;
-            write!(f, "{kind} of states {} and {} at level ({u}, {v})", sheet.u.0, sheet.v.0)?;
-            write!(f, " on a net of {} by {}", sheet.net_rows, sheet.net_columns)?;
-        }
-        Shape::Pieces(pieces) => write_pieces(f, pieces)?,
-    }
+    write_shape(f, plan, &figure.shape)?;
     match super::budget::figure_count(plan.automaton(), figure, u32::MAX) {
         Some(counts) => writeln!(f, ": {} elements, {} vertices", counts.elements, counts.vertices),
         None => writeln!(f, ": more elements than can be counted"),
@@ -161,7 +143,7 @@ fn write_figure(f: &mut fmt::Formatter<'_>, plan: &Plan, figure: &FigurePlan) ->
 }
 
 fn write_pieces(f: &mut fmt::Formatter<'_>, pieces: &PiecesPlan) -> fmt::Result {
-    write!(f, "separate pieces of state {} {}", pieces.state.0, dimension_text(pieces.dimension))?;
+    write!(f, "separate pieces of state {} {}", pieces.state.0, space_words(pieces.dimension))?;
     match pieces.depth {
         Depth::Level(level) => write!(f, " at level {level}"),
         Depth::Each(Each { bound, deepest, .. }) => {
@@ -172,7 +154,70 @@ fn write_pieces(f: &mut fmt::Formatter<'_>, pieces: &PiecesPlan) -> fmt::Result 
     }
 }
 
-fn dimension_text(dimension: Dimension) -> &'static str {
+fn write_shape(f: &mut fmt::Formatter<'_>, plan: &Plan, shape: &Shape) -> fmt::Result {
+    match shape {
+        Shape::Curve { state, level, dimension, .. } => {
+            write!(f, "curve of state {} {} at level {level}", state.0, space_words(*dimension))
+        }
+        Shape::Sheet(sheet) => write_sheet(f, sheet),
+        Shape::Chain(chain) => {
+            let weighted = if chain.weights.is_some() { "rational " } else { "" };
+            write!(f, "{weighted}curve ")?;
+            write_chain(f, chain)
+        }
+        Shape::Net(net) => {
+            if net.weights.is_some() {
+                f.write_str("rational ")?;
+            }
+            write_sheet(f, &net.sheet)?;
+            match net.closed {
+                (true, true) => f.write_str(", closed along u and v"),
+                (true, false) => f.write_str(", closed along u"),
+                (false, true) => f.write_str(", closed along v"),
+                (false, false) => Ok(()),
+            }
+        }
+        Shape::Pieces(pieces) => write_pieces(f, pieces),
+        Shape::Patchwork(patchwork) => {
+            let glued = plan.adjacency(patchwork.state).into_iter().flat_map(|found| found.patches.values());
+            let glued: usize = glued.map(|patch| patch.glued.len()).sum();
+            write!(f, "patchwork of state {} at level {}", patchwork.state.0, patchwork.level)?;
+            write!(f, ", {glued} pairs of edges proved to be shared")
+        }
+        Shape::Swept(swept) => {
+            write!(f, "{}, planar by construction, of the profile ", swept.name())?;
+            write_chain(f, &swept.profile)?;
+            match &swept.path {
+                Path::Rail(rail, _) => {
+                    f.write_str(" and the rail ")?;
+                    write_chain(f, rail)
+                }
+                Path::Turn(turn) => write!(f, " in {} segments", turn.segments),
+                Path::Straight { pieces, .. } => write!(f, " in {pieces} pieces"),
+            }
+        }
+    }
+}
+
+fn write_sheet(f: &mut fmt::Formatter<'_>, sheet: &SheetPlan) -> fmt::Result {
+    let kind = if sheet.windows { "sheet" } else { "tensor product" };
+    let (u, v) = sheet.levels;
+    write!(f, "{kind} of states {} and {} at level ({u}, {v})", sheet.u.0, sheet.v.0)?;
+    write!(f, " on a net of {} by {}", sheet.net_rows, sheet.net_columns)
+}
+
+fn write_chain(f: &mut fmt::Formatter<'_>, chain: &ChainPlan) -> fmt::Result {
+    let (state, level) = (chain.state.0, chain.level);
+    write!(
+        f,
+        "of state {state} {} at level {level} on {} points",
+        space_words(chain.dimension),
+        chain.points.len()
+    )?;
+    f.write_str(if chain.closed { ", closed" } else { "" })
+}
+
+fn space_words(dimension: Dimension) -> &'static str {
     match dimension {
         Dimension::Plane => "in the plane",
         Dimension::Space => "in space",

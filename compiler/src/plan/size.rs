@@ -1,46 +1,18 @@
 //! How large an element is: what `until` compares (LANGUAGE 6). Not the requirements of boards, which measure what is
 //! made.
 
+pub use crate::hir::size::{SizeBound, SizeMeasure};
 use crate::ifs::GermShape;
 
 /// Vertices up to which a diameter is measured pair by pair; beyond, the diagonal of the bounding box stands for it,
 /// which is never smaller.
 const PAIRED_VERTICES: usize = 32;
 
-/// What is measured of an element, mm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SizeMeasure {
-    /// Its sides: the segment itself, the sides of a polygon, the axis of a strut.
-    Edge,
-    /// The length of a segment or strut.
-    Length,
-    /// Its diameter: the largest distance between two of its vertices; of a strut, the length of its axis.
-    Size,
-}
-
 impl SizeMeasure {
-    /// All of them.
-    pub const ALL: [SizeMeasure; 3] = [SizeMeasure::Edge, SizeMeasure::Length, SizeMeasure::Size];
-
-    /// The measure of this word.
-    pub fn named(word: &str) -> Option<SizeMeasure> {
-        SizeMeasure::ALL.into_iter().find(|measure| measure.word() == word)
-    }
-
-    /// As the language writes it.
-    pub fn word(self) -> &'static str {
-        match self {
-            SizeMeasure::Edge => "edge",
-            SizeMeasure::Length => "length",
-            SizeMeasure::Size => "size",
-        }
-    }
-
     /// Whether an element of this shape has it.
     pub fn applies_to(self, shape: &GermShape) -> bool {
         match (self, shape) {
-            (SizeMeasure::Size, _) => true,
-            (SizeMeasure::Edge, shape) => *shape != GermShape::Point,
+            (SizeMeasure::Edge | SizeMeasure::Size, shape) => *shape != GermShape::Point,
             (SizeMeasure::Length, shape) => matches!(shape, GermShape::Segment | GermShape::Strut { .. }),
         }
     }
@@ -52,6 +24,7 @@ impl SizeMeasure {
                 [start, end, ..] => Some(SizeRange::one(distance(*start, *end))),
                 _ => None,
             },
+            (_, GermShape::Point) => None,
             (SizeMeasure::Size, _) => Some(SizeRange::one(diameter(vertices))),
             (SizeMeasure::Edge, GermShape::Polygon) => sides(vertices.iter().copied()),
             (SizeMeasure::Edge, GermShape::Mesh { faces }) => {
@@ -59,7 +32,7 @@ impl SizeMeasure {
                     |face: &Vec<u32>| sides(face.iter().filter_map(|at| vertices.get(*at as usize).copied()));
                 faces.iter().filter_map(face).reduce(SizeRange::with)
             }
-            (SizeMeasure::Edge, GermShape::Point) | (SizeMeasure::Length, _) => None,
+            (SizeMeasure::Length, _) => None,
         }
     }
 }
@@ -83,24 +56,6 @@ impl SizeRange {
     #[must_use]
     pub fn with(self, other: SizeRange) -> SizeRange {
         SizeRange { least: self.least.min(other.least), most: self.most.max(other.most) }
-    }
-}
-
-/// A size that elements must not pass.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SizeBound {
-    /// What is measured.
-    pub measure: SizeMeasure,
-    /// The largest size, mm.
-    pub most: f64,
-    /// Whether the largest itself is too large.
-    pub strict: bool,
-}
-
-impl SizeBound {
-    /// Whether this size is small enough.
-    pub fn holds(&self, size: f64) -> bool {
-        if self.strict { size < self.most } else { size <= self.most }
     }
 }
 
@@ -141,8 +96,7 @@ mod tests {
         assert_eq!(of(SizeMeasure::Size, &GermShape::Polygon, 4), Some(SizeRange::one(5.0)));
         assert_eq!(of(SizeMeasure::Length, &GermShape::Polygon, 4), None);
         assert_eq!(of(SizeMeasure::Length, &GermShape::Segment, 2), Some(SizeRange::one(3.0)));
-        assert_eq!(of(SizeMeasure::Size, &GermShape::Point, 1), Some(SizeRange::one(0.0)));
-        assert_eq!(of(SizeMeasure::Edge, &GermShape::Point, 1), None);
+        assert_eq!(of(SizeMeasure::Size, &GermShape::Point, 1), None);
         let faces = GermShape::Mesh { faces: std::sync::Arc::new(vec![vec![0, 1, 2]]) };
         assert_eq!(of(SizeMeasure::Edge, &faces, 4), Some(SizeRange { least: 3.0, most: 5.0 }));
         for measure in SizeMeasure::ALL {

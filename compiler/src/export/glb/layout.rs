@@ -97,10 +97,22 @@ impl<'a> Layout<'a> {
         if count >= u64::from(u32::MAX) {
             return Err(GlbError::TooLarge);
         }
+        Ok(self.bounded(view, offset, count, low, high))
+    }
+
+    /// So many positions from the byte `offset` of a view on, within a box that is known.
+    pub(super) fn bounded(
+        &mut self,
+        view: Index<View>,
+        offset: u64,
+        count: u64,
+        low: [f32; 3],
+        high: [f32; 3],
+    ) -> Index<json::Accessor> {
         let mut accessor = accessor(view, offset, count, ComponentType::F32, Type::Vec3);
         accessor.min = Some(json::Value::from(low.to_vec()));
         accessor.max = Some(json::Value::from(high.to_vec()));
-        Ok(self.root.push(accessor))
+        self.root.push(accessor)
     }
 
     /// A view of its own for `count` indices.

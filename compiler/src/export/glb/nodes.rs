@@ -14,6 +14,7 @@ use super::colour::Scale;
 use super::edges::EdgeList;
 use super::layout::{Layout, Look, extras};
 use super::piece::{Piece, triangle_count};
+use super::pieces::add_pieces;
 use super::{Curve, Figure, GlbError, MAX_PART_NODES, Model, Panelled, Part, Surface};
 use crate::fabricate::label::Label;
 use crate::geometry::QuadMesh;
@@ -99,6 +100,9 @@ fn add_figure<'a>(
     }
     for surface in figure.surfaces.iter().filter(|surface| !surface.designed.quads.is_empty()) {
         add_surface(layout, surface, spread, &mut children)?;
+    }
+    for pieces in &figure.pieces {
+        children.extend(add_pieces(layout, pieces)?);
     }
     if figure.parts.iter().any(|part| !part.solid.triangles.is_empty()) {
         children.push(add_parts(layout, figure, joined)?);

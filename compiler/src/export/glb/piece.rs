@@ -8,9 +8,11 @@ use glam::DVec3;
 use super::Part;
 use super::colour::Scale;
 use super::edges::EdgeList;
+use super::pieces::{Places, places, vertices};
 use super::split::{split, splits};
 use crate::geometry::planarity::Diagonal;
 use crate::geometry::{QuadMeasure, QuadMesh};
+use crate::plan::evaluate::PiecesEvaluator;
 
 /// Bytes gathered before the writer is called.
 const CHUNK: usize = 1 << 16;
@@ -36,6 +38,10 @@ pub(super) enum Piece<'a> {
     PartTriangles(&'a [Part<'a>]),
     /// Triangles as given.
     Indices(&'a [[u32; 3]]),
+    /// Positions of separate pieces, so many.
+    PieceVertices(&'a PiecesEvaluator, usize),
+    /// Places of these positions, so many.
+    PiecePlaces(&'a PiecesEvaluator, Places, usize),
 }
 
 impl Piece<'_> {
@@ -51,6 +57,8 @@ impl Piece<'_> {
             Self::PartPoints(parts) => (parts.iter().map(|part| part.solid.vertices.len()).sum(), 12),
             Self::PartTriangles(parts) => (parts.iter().map(|part| part.solid.triangles.len()).sum(), 12),
             Self::Indices(triangles) => (triangles.len(), 12),
+            Self::PieceVertices(_, count) => (*count, 12),
+            Self::PiecePlaces(_, _, count) => (*count, 4),
         };
         count as u64 * size
     }
@@ -100,6 +108,10 @@ impl Piece<'_> {
                     }
                     first += part.solid.vertices.len() as u32;
                 }
+            }
+            Self::PieceVertices(evaluator, _) => vertices(evaluator, |vertex| sink.point(vertex))?,
+            Self::PiecePlaces(evaluator, kind, _) => {
+                places(evaluator, *kind, |place| sink.indices([place]))?;
             }
             Self::Indices(triangles) => triangles.iter().try_for_each(|&three| sink.indices(three))?,
         }

@@ -1,5 +1,7 @@
 //! Models read back: the container, the JSON part by gltf-json and its own checks, the positions.
 
+mod pieces;
+
 use glam::DVec3;
 use gltf_json as json;
 use json::validation::Validate;

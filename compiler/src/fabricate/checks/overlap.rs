@@ -12,6 +12,8 @@ pub struct Curve<'a> {
     pub points: &'a [DVec3],
     /// The names of its planks, one for each segment.
     pub labels: &'a [Label],
+    /// Whether it goes round: its last point is its first one, and a joint too.
+    pub closed: bool,
 }
 
 /// For each pair of consecutive curves the least distance, mm, between an interior joint of one and an interior joint
@@ -50,9 +52,11 @@ struct Closest {
 /// The joint of `other` that comes nearest to a joint of `curve`, measured along `curve`.
 fn closest(curve: Curve<'_>, other: Curve<'_>) -> Option<Closest> {
     let stations = stations(curve.points);
-    let joints = stations.get(1..stations.len().saturating_sub(1)).unwrap_or_default();
+    let first = usize::from(!curve.closed);
+    let joints = stations.get(first..stations.len().saturating_sub(first)).unwrap_or_default();
+    let planks = curve.labels.len().max(1);
     let mut found: Option<Closest> = None;
-    for (carried, &point) in interior(other.points) {
+    for (carried, &point) in joints_of(other) {
         let at = station_of_nearest(curve.points, &stations, point);
         // Stations ascend: the nearest joint is the last before or the first after.
         let after = joints.partition_point(|&station| station < at);
@@ -60,16 +64,17 @@ fn closest(curve: Curve<'_>, other: Curve<'_>) -> Option<Closest> {
             let Some(station) = joints.get(joint) else { continue };
             let distance = (station - at).abs();
             if found.is_none_or(|found| distance < found.distance) {
-                found = Some(Closest { joints: [joint + 1, carried], distance });
+                found = Some(Closest { joints: [(joint + first) % planks, carried], distance });
             }
         }
     }
     found
 }
 
-/// The inner points and their indices.
-fn interior(points: &[DVec3]) -> impl Iterator<Item = (usize, &DVec3)> {
-    points.iter().enumerate().take(points.len().saturating_sub(1)).skip(1)
+/// The points where planks meet and their indices: the inner ones, and where the curve goes round the first one.
+fn joints_of(curve: Curve<'_>) -> impl Iterator<Item = (usize, &DVec3)> {
+    let last = curve.points.len().saturating_sub(1);
+    curve.points.iter().enumerate().take(last).skip(usize::from(!curve.closed))
 }
 
 /// How far along the curve each point lies, mm.
@@ -150,8 +155,11 @@ mod tests {
 
     fn measure(arches: &[Vec<DVec3>], limit: Limit) -> CheckResult {
         let labels = labels(arches.len(), arches[0].len() - 1);
-        let curves: Vec<Curve<'_>> =
-            arches.iter().zip(&labels).map(|(points, labels)| Curve { points, labels }).collect();
+        let curves: Vec<Curve<'_>> = arches
+            .iter()
+            .zip(&labels)
+            .map(|(points, labels)| Curve { points, labels, closed: false })
+            .collect();
         overlap(&curves, limit)
     }
 

@@ -22,14 +22,45 @@ pub fn planks(points: &[DVec3], labels: &[Label], settings: &PlankSettings) -> R
     check(points, labels, settings)?;
     let plane_normal = plane_normal(points)?;
     let turning = signed_turning_angles(points, plane_normal);
+    joined(points, labels, settings, plane_normal, &turning, false)
+}
+
+/// As [`planks`], of a curve that goes round: its last point is its first one, and a joint like the others.
+///
+/// # Errors
+/// As [`planks`].
+pub fn closed_planks(
+    points: &[DVec3],
+    labels: &[Label],
+    settings: &PlankSettings,
+) -> Result<Planks, PlankError> {
+    check(points, labels, settings)?;
+    let plane_normal = plane_normal(points)?;
+    let round: Vec<DVec3> = points.iter().chain(points.get(1)).copied().collect();
+    let turning = signed_turning_angles(&round, plane_normal);
+    joined(points, labels, settings, plane_normal, &turning, true)
+}
+
+/// The planks between joints, joint i at the end of segment i turning by `turning[i]`.
+fn joined(
+    points: &[DVec3],
+    labels: &[Label],
+    settings: &PlankSettings,
+    plane_normal: DVec3,
+    turning: &[f64],
+    closed: bool,
+) -> Result<Planks, PlankError> {
     let mut made = Planks::default();
     for (index, label) in labels.iter().enumerate() {
-        let turns = [index.checked_sub(1).and_then(|joint| turning.get(joint)), turning.get(index)];
+        let last = if closed { labels.len().checked_sub(1) } else { None };
+        let before = index.checked_sub(1).or(last);
+        let after = if closed && index + 1 == labels.len() { 0 } else { index + 1 };
+        let turns = [before.and_then(|joint| turning.get(joint)), turning.get(index)];
         let axis = [points[index], points[index + 1]];
         match plank(axis, turns.map(|turn| turn.copied()), plane_normal, settings) {
             Ok(plank) => {
-                let before = index.checked_sub(1).and_then(|before| labels.get(before));
-                let neighbours = [before, labels.get(index + 1)].map(|label| Some(label?.address.clone()));
+                let before = before.and_then(|before| labels.get(before));
+                let neighbours = [before, labels.get(after)].map(|label| Some(label?.address.clone()));
                 made.planks.push(Plank { label: label.clone(), neighbours, ..plank });
             }
             Err(reason) => made.refused.push(RefusedPlank { label: label.clone(), reason }),

@@ -35,6 +35,11 @@ impl Checker<'_> {
             };
             ty = joined;
         }
+        let elements = match &ty {
+            // Points among weighted ones are made sure of one by one.
+            Type::Weighted(_) => elements.into_iter().map(|element| self.convert(element, &ty)).collect(),
+            _ => elements,
+        };
         if elements.is_empty()
             && let Some(wanted) = wanted
         {

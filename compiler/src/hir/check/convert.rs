@@ -59,6 +59,14 @@ impl Checker<'_> {
                 Some(_) => Fit::Checked,
                 None => Fit::No,
             },
+            (Type::Weighted(a) | Type::Point(a), Type::Weighted(b)) => match a.join(*b) {
+                Some(_) => Fit::Yes,
+                None => Fit::No,
+            },
+            (Type::WeightedSum(a), Type::Weighted(b)) => match a.join(*b) {
+                Some(_) => Fit::Checked,
+                None => Fit::No,
+            },
             (Type::Curve | Type::Surface, Type::Figure) => Fit::Yes,
             (Type::Figure, Type::Curve | Type::Surface) => Fit::Checked,
             (Type::Record(_), Type::Material) if self.is_material(from) => Fit::Yes,
@@ -68,6 +76,8 @@ impl Checker<'_> {
     }
 
     fn mismatch(&mut self, value: &Expr, expected: &Type) {
+        // A place that takes weighted points is one for points.
+        let expected = &expected.unweighted();
         let (mut from, to) = (self.described(&value.ty), self.described(expected));
         let plain = value.ty.dimension() == Some(Dimension::NUMBER);
         if plain && expected.dimension().is_some_and(|dimension| dimension != Dimension::NUMBER) {
@@ -127,6 +137,10 @@ impl Checker<'_> {
                     diagnostic.hint("angles are written with `deg` or `rad`: `30deg`")
                 }))
             }
+            Type::Point(_) if matches!(value.ty, Type::Weighted(_)) => Some(Box::new(|diagnostic| {
+                diagnostic
+                    .hint("a weight belongs to a control point: give it where an ifs is placed, `on (…)`")
+            })),
             Type::Point(_) if matches!(value.ty, Type::Vector(_)) => Some(Box::new(|diagnostic| {
                 diagnostic.hint("the difference of two points is a vector: add it to a point to get a point")
             })),

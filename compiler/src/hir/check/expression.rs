@@ -152,6 +152,10 @@ impl Checker<'_> {
             self.report(diagnostic.also(yes.span, a));
             return error_expr(span);
         };
+        let (yes, no) = match &ty {
+            Type::Weighted(_) => (self.convert(yes, &ty), self.convert(no, &ty)),
+            _ => (yes, no),
+        };
         let parts = [condition, yes, no].map(Box::new);
         let [condition, yes, no] = parts;
         Expr { kind: ExprKind::If(condition, yes, no), ty, span }

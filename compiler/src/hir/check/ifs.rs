@@ -43,6 +43,8 @@ impl Checker<'_> {
             transforms: Vec::new(),
             germ: None,
             keep: Vec::new(),
+            boundaries: Vec::new(),
+            joins: Vec::new(),
             slots: 0,
         };
         if typed.control_points.is_empty() {
@@ -54,6 +56,7 @@ impl Checker<'_> {
         for member in &ifs.members {
             self.member(&mut frame, &mut typed, member);
         }
+        self.joins_name_parts(ifs, &typed);
         self.complete(ifs, &typed);
         typed.slots = frame.slots;
         ItemKind::Ifs(typed)
@@ -93,18 +96,10 @@ impl Checker<'_> {
                 let checked = self.expect(frame, germ, &Type::Germ);
                 typed.keep.push(checked);
             }
-            ast::MemberKind::Boundary(..) => self.later_member("boundary", member.span),
-            ast::MemberKind::Join(..) => self.later_member("join", member.span),
+            ast::MemberKind::Boundary(name, value) => self.boundary(frame, typed, name, value),
+            ast::MemberKind::Join(left, right) => self.join(typed, left, right, member.span),
             ast::MemberKind::Error => {}
         }
-    }
-
-    fn later_member(&mut self, word: &str, span: Span) {
-        let span = Span { end: span.start + word.len() as u32, ..span };
-        let message = format!("`{word}` in an ifs is not available yet");
-        self.report(
-            Diagnostic::new(Code::E0001, span, message).label("part of the language, but still to come"),
-        );
     }
 
     pub(super) fn count_images(&mut self, typed: &Ifs, target: &Expr, given: usize, at: Span) {

@@ -1,6 +1,7 @@
 //! The checker: resolves names and gives every expression its type. Items are checked when first needed, so their
 //! order in the file does not matter; a definition that needs itself is an error.
 
+mod boundary;
 mod call;
 mod collection;
 mod convert;
@@ -22,6 +23,7 @@ mod scope;
 mod test;
 mod transform;
 mod type_expr;
+mod until;
 
 use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId, Test};
 use super::types::Type;

@@ -163,6 +163,13 @@ impl Checker<'_> {
             }
             Native::Tensor => Type::Ifs,
             Native::Sheet => Type::Figure,
+            Native::Chain => Type::Curve,
+            Native::Weighted => return self.weighted(&values[0]),
+            Native::Translation
+            | Native::ScaleTranslation
+            | Native::ProjectiveSum
+            | Native::Revolution
+            | Native::Extrusion => Type::Surface,
             _ => return self.value_type(native, values),
         })
     }
@@ -177,6 +184,21 @@ impl Checker<'_> {
         let diagnostic = Diagnostic::new(Code::E0402, other.span, message).label(b).also(first.span, a);
         self.report(diagnostic.hint("it takes three numbers of one dimension: `close(a, 2m, 1mm)`"));
         None
+    }
+
+    fn weighted(&mut self, point: &Expr) -> Option<Type> {
+        match &point.ty {
+            Type::Point(PointSpace::Control) => {
+                let message = "the points of an ifs have no weights of their own";
+                let diagnostic =
+                    Diagnostic::new(Code::E0402, point.span, message).label("a point of the ifs");
+                let hint = "give weights where the ifs is placed: `… on (weighted(p, w: 2), …)`";
+                self.report(diagnostic.hint(hint));
+                None
+            }
+            Type::Point(space) => Some(Type::Weighted(*space)),
+            _ => Some(Type::Weighted(PointSpace::Any)),
+        }
     }
 
     fn root(&mut self, value: &Expr) -> Option<Type> {

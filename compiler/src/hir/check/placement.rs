@@ -17,7 +17,7 @@ impl Checker<'_> {
     ) -> Expr {
         let ifs = self.expect(frame, ifs, &Type::Ifs);
         let space = self.ifs_space(&ifs);
-        let point = Type::Point(PointSpace::Any);
+        let point = Type::Weighted(PointSpace::Any);
         let (points, at) = match placement {
             ast::Placement::Points(points, at) => {
                 let points: Vec<Expr> =
@@ -88,11 +88,8 @@ impl Checker<'_> {
             ast::Level::Pair(u, v) => {
                 (self.expect(frame, u, &Type::Int), Some(Box::new(self.expect(frame, v, &Type::Int))))
             }
-            ast::Level::Until { measure, .. } => {
-                let message = "levels chosen by size (`until`) are not available yet";
-                let diagnostic = Diagnostic::new(Code::E0001, measure.span, message).label("a size");
-                self.report(diagnostic.hint("give the level as a number: `at level 4`"));
-                return error_expr(span);
+            ast::Level::Until { each, measure, limit } => {
+                return self.until(frame, figure, *each, measure, limit, span);
             }
         };
         if figure.ty == Type::Error || first.ty == Type::Error {

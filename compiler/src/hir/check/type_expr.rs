@@ -101,6 +101,7 @@ impl Checker<'_> {
             Type::Vector(_) => "Vector".to_owned(),
             Type::Map(_) => "Map".to_owned(),
             Type::WeightedSum(_) => "weighted sum of points".to_owned(),
+            Type::Weighted(_) => "weighted point".to_owned(),
             Type::List(element) => format!("[{}]", self.type_name(element)),
             Type::IntRange => "range of whole numbers".to_owned(),
             Type::Size => "size (length by length)".to_owned(),

@@ -19,7 +19,7 @@ impl Evaluator<'_> {
                     list.iter().map(|value| self.converted(value.clone(), element, from)).collect();
                 Ok(Value::List(Arc::new(converted?)))
             }
-            (Type::Point(_), Value::Combination(sum)) => self.of_weight(sum, 1, from),
+            (Type::Point(_) | Type::Weighted(_), Value::Combination(sum)) => self.of_weight(sum, 1, from),
             (Type::Vector(_), Value::Combination(sum)) => self.of_weight(sum, 0, from),
             (to, Value::Ifs(ifs)) if to.is_figure() => {
                 let figure = self.on_frame(ifs, from.span)?;
@@ -32,7 +32,13 @@ impl Evaluator<'_> {
                         let why = "a Curve is needed here".to_owned();
                         self.must_join.push(MustJoin { ifs: ifs.clone(), span: placed(from), why });
                     }
-                    Shape::Sheet { .. } if !curve => {}
+                    Shape::Curve { ifs, .. } if self.draws_polygons(ifs) => {
+                        let why = "a Surface is needed here".to_owned();
+                        self.must_join.push(MustJoin { ifs: ifs.clone(), span: placed(from), why });
+                    }
+                    // What it stands on has been asked for where it was made.
+                    Shape::Chain(_) if curve => {}
+                    Shape::Sheet { .. } | Shape::Net(_) | Shape::Swept(_) if !curve => {}
                     _ => {
                         let (needed, is) = if curve { ("Curve", "surface") } else { ("Surface", "curve") };
                         let message = format!("a {needed} is needed, but this figure is a {is}");
@@ -134,7 +140,7 @@ impl Evaluator<'_> {
 /// Where the ifs stands that a figure is made of; the whole expression where that is another's matter.
 fn placed(figure: &Expr) -> Span {
     match &figure.kind {
-        ExprKind::At(figure, ..) | ExprKind::Convert(figure) => placed(figure),
+        ExprKind::At(figure, ..) | ExprKind::Until(figure, _) | ExprKind::Convert(figure) => placed(figure),
         ExprKind::On(ifs, ..) => ifs.span,
         _ => figure.span,
     }

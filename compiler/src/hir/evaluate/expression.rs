@@ -91,6 +91,7 @@ impl Evaluator<'_> {
             }
             ExprKind::On(ifs, points, at) => self.on(frame, ifs, points, *at, span),
             ExprKind::At(figure, u, v) => self.at(frame, figure, u, v.as_deref()),
+            ExprKind::Until(figure, until) => self.until(frame, figure, until),
             ExprKind::Convert(inner) => {
                 let value = self.expr(frame, inner)?;
                 self.converted(value, &expr.ty, inner)

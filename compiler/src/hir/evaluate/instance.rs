@@ -1,5 +1,6 @@
 //! An ifs with its arguments worked out: the images of control points as rows of exact weights.
 
+use super::boundary::InstanceBoundary;
 use super::germ::Drawn;
 use super::transform::Piece;
 use super::{Evaluator, Frame, Outcome, Stop, words};
@@ -33,6 +34,8 @@ pub struct InstanceBody {
     pub keep: Vec<InstanceGerm>,
     /// Where the germ stands.
     pub germ_span: Span,
+    /// Its named boundaries.
+    pub boundaries: Vec<InstanceBoundary>,
 }
 
 /// A germ worked out.
@@ -64,6 +67,7 @@ struct Parts {
     pieces: Vec<Piece>,
     germ: Drawn,
     keep: Vec<Drawn>,
+    boundaries: Vec<(Instance, Vec<Vec<Scalar>>)>,
 }
 
 impl Evaluator<'_> {
@@ -80,9 +84,6 @@ impl Evaluator<'_> {
         let parts = self.parts(instance, ifs);
         self.within = outer;
         let parts = parts?;
-        let exact = |row: Vec<Scalar>| -> Outcome<Row> {
-            row.iter().map(|weight| weight.to_rational().ok_or(Stop::Undetermined)).collect()
-        };
         let mut transforms = Vec::new();
         for piece in parts.pieces {
             let transform = &ifs.transforms[piece.transform];
@@ -102,6 +103,9 @@ impl Evaluator<'_> {
             let vertices: Outcome<Vec<Row>> = vertices.into_iter().map(exact).collect();
             Ok(InstanceGerm { shape, vertices: vertices? })
         };
+        let boundaries = parts.boundaries.into_iter().zip(&ifs.boundaries);
+        let boundaries =
+            boundaries.map(|((target, rows), declared)| InstanceBoundary::exact(declared, target, rows));
         Ok(InstanceBody {
             space: ifs.space,
             rounded: self.rounded,
@@ -110,6 +114,7 @@ impl Evaluator<'_> {
             germ: germ(parts.germ)?,
             keep: parts.keep.into_iter().map(germ).collect::<Outcome<Vec<InstanceGerm>>>()?,
             germ_span: ifs.germ.as_ref().map_or(hir.item(instance.ifs).name_span, |germ| germ.span),
+            boundaries: boundaries.collect::<Outcome<Vec<InstanceBoundary>>>()?,
         })
     }
 
@@ -153,11 +158,21 @@ impl Evaluator<'_> {
             }
         }
         let (pieces, stopped) = self.pieces(&mut frame, ifs);
-        if let Some(stop) = stopped.or(stop) {
+        if let Some(stop) = stopped.or(stop.take()) {
             return Err(stop);
         }
         if pieces.is_empty() {
             return Err(self.no_pieces(instance, ifs));
+        }
+        let mut boundaries = Vec::new();
+        for boundary in &ifs.boundaries {
+            match self.boundary(&mut frame, boundary) {
+                Ok(done) => boundaries.push(done),
+                Err(reason) => stop = Some(reason),
+            }
+        }
+        if let Some(stop) = stop {
+            return Err(stop);
         }
         let germ = ifs.germ.as_ref().ok_or(Stop::Reported)?;
         let germ = self.germ(&mut frame, ifs, (instance, &pieces), germ)?;
@@ -165,7 +180,7 @@ impl Evaluator<'_> {
         for kept in &ifs.keep {
             keep.push(self.germ(&mut frame, ifs, (instance, &pieces), kept)?);
         }
-        Ok(Parts { pieces, germ, keep })
+        Ok(Parts { pieces, germ, keep, boundaries })
     }
 
     /// All families of an ifs are empty. An ifs without any transform has been reported by the checker.
@@ -226,4 +241,16 @@ pub fn instance_name(hir: &Hir, instance: &Instance) -> String {
         format!("{}: {value}", parameter.name)
     });
     format!("{}({})", item.name, arguments.collect::<Vec<_>>().join(", "))
+}
+
+/// Exact weights of a row that depends on nothing any more.
+pub(super) fn exact(row: Vec<Scalar>) -> Outcome<Row> {
+    row.iter().map(|weight| weight.to_rational().ok_or(Stop::Undetermined)).collect()
+}
+
+pub(super) fn weights(point: &Combination) -> Outcome<Vec<Scalar>> {
+    match &point.terms {
+        Terms::Weights(weights) => Ok(weights.clone()),
+        Terms::Coordinates(_) => Err(Stop::Reported),
+    }
 }

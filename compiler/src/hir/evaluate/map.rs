@@ -4,6 +4,7 @@ use super::{Evaluator, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::map::{Map, Triple, cross, diagonal, dot, product};
 use crate::hir::native::Native;
+use crate::hir::placed::SweptPath;
 use crate::hir::scalar::{Scalar, ScalarError};
 use crate::hir::tree::{Expr, ItemKind};
 use crate::hir::types::{PointSpace, Type};
@@ -228,25 +229,45 @@ impl Evaluator<'_> {
 
     fn mapped_figure(&mut self, map: &Map, figure: &Figure, at: Span) -> Outcome<Value> {
         let mut shape = figure.shape.clone();
-        let (points, space) = match &mut shape {
-            Shape::Curve { points, dimension: 2, .. } => (points, PointSpace::Plane),
-            Shape::Curve { points, .. } => (points, PointSpace::Space),
-            Shape::Sheet { net, .. } => (net, PointSpace::Space),
+        let space = match &shape {
+            Shape::Curve { dimension: 2, .. } => PointSpace::Plane,
+            Shape::Chain(chain) if chain.dimension == 2 => PointSpace::Plane,
+            _ => PointSpace::Space,
         };
         if map.space.join(space).is_none() {
             return Err(self.mixed(&map.space.thing("map"), &space.thing("figure"), at));
         }
-        self.spend(points.len() as u64, at)?;
-        let number = |scalar: &Scalar| scalar.to_f64().ok_or(Stop::Undetermined);
-        for point in points {
-            let mut moved = [0.0; 3];
-            for ((place, row), offset) in moved.iter_mut().zip(&map.linear).zip(&map.offset) {
-                let [a, b, c] = [number(&row[0])?, number(&row[1])?, number(&row[2])?];
-                *place = a * point[0] + b * point[1] + c * point[2] + number(offset)?;
+        match &mut shape {
+            Shape::Curve { points, .. } | Shape::Sheet { net: points, .. } => {
+                self.move_all(map, points, at)?
             }
-            *point = moved;
+            Shape::Chain(chain) => self.move_all(map, &mut chain.points, at)?,
+            Shape::Net(net) => self.move_all(map, &mut net.grid.points, at)?,
+            Shape::Swept(swept) => {
+                match &mut swept.path {
+                    SweptPath::Rail(rail, _) => self.move_all(map, &mut rail.chain.points, at)?,
+                    SweptPath::Straight { vector, .. } => *vector = moved(map, *vector, 0.0)?,
+                    SweptPath::Turn { .. } => {
+                        let message = "a surface of revolution is not moved by a map";
+                        let diagnostic =
+                            Diagnostic::new(Code::E0531, at, message).label("turned round its axis");
+                        return Err(
+                            self.report(diagnostic.hint("move the points of its profile and its axis"))
+                        );
+                    }
+                }
+                self.move_all(map, &mut swept.profile.chain.points, at)?;
+            }
         }
         Ok(Value::Figure(Arc::new(Figure { shape, ..figure.clone() })))
+    }
+
+    fn move_all(&mut self, map: &Map, points: &mut [[f64; 3]], at: Span) -> Outcome<()> {
+        self.spend(points.len() as u64, at)?;
+        for point in points {
+            *point = moved(map, *point, 1.0)?;
+        }
+        Ok(())
     }
 
     /// An ifs of the plane or of space as a figure on its own frame, or on the frame that a map makes of it.
@@ -289,4 +310,15 @@ pub(super) fn frame_images(map: &Map, axes: usize) -> Result<Vec<Vec<Scalar>>, S
         images.push(map.moved(&point)?.into_iter().take(axes).collect());
     }
     Ok(images)
+}
+
+/// The image of a point (weight 1) or of a vector (weight 0), mm.
+fn moved(map: &Map, point: [f64; 3], weight: f64) -> Outcome<[f64; 3]> {
+    let number = |scalar: &Scalar| scalar.to_f64().ok_or(Stop::Undetermined);
+    let mut image = [0.0; 3];
+    for ((place, row), offset) in image.iter_mut().zip(&map.linear).zip(&map.offset) {
+        let [a, b, c] = [number(&row[0])?, number(&row[1])?, number(&row[2])?];
+        *place = a * point[0] + b * point[1] + c * point[2] + weight * number(offset)?;
+    }
+    Ok(image)
 }

@@ -1,6 +1,7 @@
 //! The evaluator: from the typed tree to values, with a budget of steps. It never loops for ever, and every failure is a
 //! diagnostic at the expression that failed.
 
+mod boundary;
 mod budget;
 mod combination;
 mod conversion;
@@ -15,11 +16,15 @@ mod native;
 mod operator;
 mod overrides;
 mod placement;
+mod points;
+mod swept;
 mod symbolic;
 mod test;
 mod transform;
+mod until;
 mod vectors;
 
+pub use boundary::InstanceBoundary;
 pub use budget::MOST_ELEMENTS;
 pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};

@@ -46,10 +46,25 @@ impl Evaluator<'_> {
                     _ => Err(Stop::Reported),
                 };
             }
-            (Native::Sheet, [u, v, net, ..]) => {
+            (Native::Sheet, [u, v, net, closed @ ..]) => {
                 let places = [arguments[0].span, arguments[1].span, arguments[2].span];
-                return self.sheet([u, v, net], places, span);
+                return self.sheet([u, v, net], closed.first(), places, span);
             }
+            (Native::Chain, [ifs, points, closed @ ..]) => {
+                let places = [arguments[0].span, arguments[1].span];
+                return self.chain([ifs, points], closed.first(), places, span);
+            }
+            (Native::Weighted, [Value::Combination(point), Value::Scalar(weight)]) => {
+                return self.weighted(point, weight, arguments[1].span);
+            }
+            (
+                Native::Translation
+                | Native::ScaleTranslation
+                | Native::ProjectiveSum
+                | Native::Revolution
+                | Native::Extrusion,
+                values,
+            ) => return self.swept(native, values, arguments, span),
             (Native::Len, [Value::List(list)]) => Scalar::integer(list.len() as i64),
             (Native::Sum, [Value::List(list)]) if matches!(list.first(), Some(Value::Combination(_))) => {
                 return self.sum_of_combinations(list, span);

@@ -2,9 +2,10 @@
 
 use super::{Evaluator, Frame, MustJoin, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::placed::{Chain, ControlGrid, ControlList, Net, SweptPath};
 use crate::hir::tree::{Expr, ItemKind};
 use crate::hir::types::PointSpace;
-use crate::hir::value::{Combination, Figure, IfsValue, Instance, Level, Shape, Terms, Value};
+use crate::hir::value::{Figure, IfsValue, Instance, Level, Shape, Value};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -68,12 +69,18 @@ impl Evaluator<'_> {
             };
             return Err(self.report(diagnostic.hint(hint)));
         }
-        let (points, dimension) = self.placed(list, at)?;
-        Ok(Shape::Curve { ifs: instance.clone(), points, dimension })
+        let ControlList { points, weights, dimension } = self.placed(list, at)?;
+        let ifs = instance.clone();
+        if weights.is_none() {
+            return Ok(Shape::Curve { ifs, points, dimension });
+        }
+        let chain = Chain { ifs, points, weights, dimension, windows: false, closed: false };
+        Ok(Shape::Chain(Box::new(chain)))
     }
 
     fn patch(&mut self, u: &Instance, v: &Instance, points: &Value, at: Span) -> Outcome<Shape> {
-        let (net, rows, columns) = self.net(points, at)?;
+        let grid = self.net(points, at)?;
+        let (rows, columns) = (grid.rows, grid.columns);
         let needed = (self.control_points(u), self.control_points(v));
         if (rows, columns) != needed {
             let message = format!(
@@ -85,17 +92,23 @@ impl Evaluator<'_> {
                 format!("take a part of it, such as `[0..{}, 0..{}]`, or use `sheet`", needed.0, needed.1);
             return Err(self.report(diagnostic.hint(hint)));
         }
-        let (u, v) = (u.clone(), v.clone());
-        Ok(Shape::Sheet { u, v, net, rows, columns, windows: false })
+        Ok(on_net(u.clone(), v.clone(), grid, false, (false, false)))
     }
 
     /// `sheet(u, v, net)`
-    pub(super) fn sheet(&mut self, values: [&Value; 3], places: [Span; 3], span: Span) -> Outcome<Value> {
+    pub(super) fn sheet(
+        &mut self,
+        values: [&Value; 3],
+        closed: Option<&Value>,
+        places: [Span; 3],
+        span: Span,
+    ) -> Outcome<Value> {
         let ([u, v, net], [u_at, v_at, at]) = (values, places);
         let (Some(u), Some(v)) = (self.factor(u, u_at)?, self.factor(v, v_at)?) else {
             return Err(Stop::Reported);
         };
-        let (net, rows, columns) = self.net(net, at)?;
+        let grid = self.net(net, at)?;
+        let (rows, columns) = (grid.rows, grid.columns);
         let needed = (self.control_points(&u), self.control_points(&v));
         if rows < needed.0 || columns < needed.1 {
             let message = format!(
@@ -105,8 +118,43 @@ impl Evaluator<'_> {
             let diagnostic = Diagnostic::new(Code::E0510, at, message).label(format!("{rows} by {columns}"));
             return Err(self.report(diagnostic.hint("add rows or columns of control points")));
         }
-        let shape = Shape::Sheet { u, v, net, rows, columns, windows: true };
+        let closed = match closed {
+            Some(Value::Choice(_, place)) => (*place != 1, *place != 0),
+            _ => (false, false),
+        };
+        let shape = on_net(u, v, grid, true, closed);
         Ok(Value::Figure(Arc::new(Figure { shape, level: None, span })))
+    }
+
+    /// `chain(ifs, points)`
+    pub(super) fn chain(
+        &mut self,
+        [ifs, points]: [&Value; 2],
+        closed: Option<&Value>,
+        [ifs_at, at]: [Span; 2],
+        span: Span,
+    ) -> Outcome<Value> {
+        let Value::Ifs(ifs) = ifs else { return Err(Stop::Reported) };
+        let IfsValue::Instance(ifs) = ifs.as_ref() else {
+            let message = "a chain is made of curves, not of surfaces";
+            let diagnostic = Diagnostic::new(Code::E0510, ifs_at, message).label("a surface");
+            return Err(self.report(diagnostic.hint("name the ifs of a curve, such as `bspline3`")));
+        };
+        let why = "a chain is a curve".to_owned();
+        self.must_join.push(MustJoin { ifs: ifs.clone(), span: ifs_at, why });
+        let list = points.list().ok_or(Stop::Reported)?;
+        let needed = self.control_points(ifs);
+        if list.len() < needed {
+            let message =
+                format!("a chain needs at least {needed} control points, but there are {}", list.len());
+            let diagnostic =
+                Diagnostic::new(Code::E0510, at, message).label(format!("{} points", list.len()));
+            return Err(self.report(diagnostic.hint("add control points")));
+        }
+        let ControlList { points, weights, dimension } = self.placed(list, at)?;
+        let closed = matches!(closed, Some(Value::Bool(true)));
+        let chain = Chain { ifs: ifs.clone(), points, weights, dimension, windows: true, closed };
+        Ok(Value::Figure(Arc::new(Figure { shape: Shape::Chain(Box::new(chain)), level: None, span })))
     }
 
     /// A factor of a product: one ifs whose pieces join.
@@ -137,68 +185,6 @@ impl Evaluator<'_> {
         self.report(diagnostic.hint("name the ifs of a curve, such as `bezier3`"))
     }
 
-    #[allow(clippy::type_complexity, reason = "points, rows and columns")]
-    fn net(&mut self, points: &Value, at: Span) -> Outcome<(Vec<[f64; 3]>, usize, usize)> {
-        let rows = points.list().ok_or(Stop::Reported)?;
-        let columns = rows.first().and_then(Value::list).map_or(0, <[Value]>::len);
-        if rows.is_empty()
-            || (columns == 0 && rows.iter().all(|row| row.list().is_some_and(<[Value]>::is_empty)))
-        {
-            let diagnostic = Diagnostic::new(Code::E0510, at, "the net has no points").label("empty");
-            return Err(self.report(diagnostic.hint("a net is a list of rows: `[[(0m, 0m, 0m), …], …]`")));
-        }
-        let mut net = Vec::new();
-        for (index, row) in rows.iter().enumerate() {
-            let Some(row) = row.list() else {
-                let message = "a surface is placed on a grid: a list of rows of control points";
-                let diagnostic = Diagnostic::new(Code::E0510, at, message).label("a plain list");
-                return Err(self.report(
-                    diagnostic.hint("a grid is a list of lists: `[[… for j in 0..4] for i in 0..4]`"),
-                ));
-            };
-            if row.len() != columns {
-                let message = format!("row {index} of the net has {} points, row 0 has {columns}", row.len());
-                let diagnostic = Diagnostic::new(Code::E0510, at, message).label("rows of different lengths");
-                return Err(self.report(diagnostic.hint("every row of a net has the same number of points")));
-            }
-            let (points, dimension) = self.placed(row, at)?;
-            if dimension != 3 {
-                let message = "the control points of a surface have three coordinates";
-                let diagnostic = Diagnostic::new(Code::E0510, at, message).label("two coordinates");
-                return Err(self.report(diagnostic.hint("give every point a height: `(x, y, z)`")));
-            }
-            net.extend(points);
-        }
-        Ok((net, rows.len(), columns))
-    }
-
-    /// Coordinates as doubles, with how many of them there are.
-    fn placed(&mut self, points: &[Value], at: Span) -> Outcome<(Vec<[f64; 3]>, u8)> {
-        let mut placed = Vec::with_capacity(points.len());
-        let mut dimension = 0;
-        for point in points {
-            let Value::Combination(point) = point else { return Err(Stop::Reported) };
-            let (point, count) = self.coordinates_of(point)?;
-            if dimension != 0 && dimension != count {
-                let message = "points of the plane and points in space do not mix";
-                let diagnostic = Diagnostic::new(Code::E0402, at, message).label("two and three coordinates");
-                return Err(self.report(diagnostic.hint("give every point the same number of coordinates")));
-            }
-            dimension = count;
-            placed.push(point);
-        }
-        Ok((placed, dimension))
-    }
-
-    fn coordinates_of(&mut self, point: &Combination) -> Outcome<([f64; 3], u8)> {
-        let Terms::Coordinates(coordinates) = &point.terms else { return Err(Stop::Reported) };
-        let mut out = [0.0; 3];
-        for (place, coordinate) in out.iter_mut().zip(coordinates) {
-            *place = coordinate.to_f64().ok_or(Stop::Undetermined)?;
-        }
-        Ok((out, coordinates.len() as u8))
-    }
-
     pub(super) fn at(
         &mut self,
         frame: &mut Frame,
@@ -213,12 +199,18 @@ impl Evaluator<'_> {
             None => None,
         };
         let span = v.map_or(u.span, |v| u.span.to(v.span));
-        if let (Some(_), Shape::Curve { .. }) = (second, &value.shape) {
-            let message = "a curve has one level, not two";
+        let of_one = match &value.shape {
+            Shape::Curve { .. } | Shape::Chain(_) => Some("a curve has one level, not two"),
+            Shape::Swept(swept) if !matches!(swept.path, SweptPath::Rail(..)) => {
+                Some("this surface has one level, that of its profile, not two")
+            }
+            _ => None,
+        };
+        if let (Some(_), Some(message)) = (second, of_one) {
             let diagnostic = Diagnostic::new(Code::E0604, span, message).label("two levels");
             return Err(self.report(diagnostic.hint(format!("write `at level {level}`"))));
         }
-        let level = Some(Level { u: level, v: second, span });
+        let level = Some(Level { u: level, v: second, until: None, span });
         Ok(Value::Figure(Arc::new(Figure { level, ..value.as_ref().clone() })))
     }
 
@@ -231,4 +223,13 @@ impl Evaluator<'_> {
         }
         Ok(u32::try_from(value).unwrap_or(u32::MAX))
     }
+}
+
+/// A product on a net: the plain form where the net is open and has no weights.
+fn on_net(u: Instance, v: Instance, grid: ControlGrid, windows: bool, closed: (bool, bool)) -> Shape {
+    if grid.weights.is_none() && closed == (false, false) {
+        let ControlGrid { points: net, rows, columns, .. } = grid;
+        return Shape::Sheet { u, v, net, rows, columns, windows };
+    }
+    Shape::Net(Box::new(Net { u, v, grid, windows, closed }))
 }

@@ -162,3 +162,30 @@ proptest! {
         }
     }
 }
+
+/// GEOMETRY 2: the tenth-level figures of the schemes it names.
+#[test]
+fn known_factors_are_found() {
+    let Contraction::Proved { length, bound, .. } = verdict(&four_point(&r(1, 16))) else { panic!("open") };
+    // Words of any length do: the first below 1 proves; at length 9 the root is 0.516.
+    assert!(length <= 9 && bound < 1.0);
+    let state = four_point(&r(1, 16));
+    let operators: Vec<Matrix> = state.states()[0]
+        .transforms
+        .iter()
+        .map(|transform| forward_difference_operator(&transform.matrix))
+        .collect();
+    let mut words = vec![Matrix::identity(5)];
+    for _ in 0..9 {
+        words = words
+            .iter()
+            .flat_map(|word| operators.iter().map(move |step| step.product(word).unwrap()))
+            .collect();
+    }
+    let largest = words.iter().map(|word| word.infinity_norm().to_f64()).fold(0.0, f64::max);
+    assert!((largest.powf(1.0 / 9.0) - 0.516).abs() < 5e-4, "{}", largest.powf(1.0 / 9.0));
+    let Contraction::Proved { length: 1, bound, norm: Norm::Euclidean } = verdict(&fern()) else {
+        panic!("fern")
+    };
+    assert!((bound - 0.85).abs() < 1.0 / 256.0);
+}

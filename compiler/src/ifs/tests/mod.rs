@@ -4,3 +4,6 @@ mod automata;
 mod contractions;
 pub(crate) mod fixtures;
 mod joining;
+mod sizes;
+mod stating;
+pub(crate) mod surfaces;

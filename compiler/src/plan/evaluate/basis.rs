@@ -60,7 +60,7 @@ pub fn basis(automaton: &Automaton, state: StateId, level: u32) -> Basis {
 }
 
 /// The states that occur after 0, 1, …, `level` steps.
-fn needed_states(automaton: &Automaton, state: StateId, level: u32) -> Vec<BTreeSet<StateId>> {
+pub(super) fn needed_states(automaton: &Automaton, state: StateId, level: u32) -> Vec<BTreeSet<StateId>> {
     let mut needed = vec![BTreeSet::from([state])];
     for depth in 0..level as usize {
         let transforms = needed[depth].iter().flat_map(|id| &automaton.state(*id).transforms);

@@ -7,7 +7,8 @@ use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
 use crate::hir::tree::{ItemId, ItemKind};
 use crate::ifs::{
-    Automaton, Contraction, Joins, OpenJoin, StateId, contraction, difference_norm, joins, windows_join,
+    Automaton, Contraction, GermShape, Joins, OpenJoin, StateId, contraction, difference_norm, joins,
+    windows_join,
 };
 use crate::plan::figure::{Depth, FigurePlan, PiecesPlan, Shape};
 use crate::source::Span;
@@ -79,6 +80,9 @@ impl Lowering<'_, '_> {
                 continue;
             };
             let state = StateId(place as u32);
+            if automaton.state(state).germ.shape == GermShape::Polygon {
+                continue;
+            }
             let verdict = known.entry(state).or_insert_with(|| joins(automaton, state)).clone();
             let at = self.state_span(state);
             if !is_curve(automaton, state, &verdict) && !said.contains(&(at, state)) {
@@ -129,19 +133,24 @@ impl Lowering<'_, '_> {
                 }
                 false
             }
-            Shape::Pieces(_) => true,
-            Shape::Sheet(sheet) => {
+            Shape::Pieces(_) | Shape::Patchwork(_) => true,
+            shape => {
                 let mut good = true;
-                for (state, points) in [(sheet.u, sheet.net_rows), (sheet.v, sheet.net_columns)] {
-                    if points <= automaton.state(state).control_points {
-                        continue;
-                    }
-                    let verdict = windows_join(automaton, state);
-                    let instance = self.states.instances.get(state.index());
-                    let used = self.evaluator.must_join().iter().find(|used| Some(&used.ifs) == instance);
-                    let at = used.map_or(named, |used| used.span);
+                for used in shape.uses().into_iter().filter(|used| used.has_neighbours(automaton)) {
+                    let verdict = windows_join(automaton, used.state);
+                    let instance = self.states.instances.get(used.state.index());
+                    // Of several uses of the ifs, the one in this figure.
+                    let uses = || self.evaluator.must_join().iter().filter(|at| Some(&at.ifs) == instance);
+                    let inside = |at: Span| {
+                        at.file == source.made.file
+                            && source.made.start <= at.start
+                            && at.end <= source.made.end
+                    };
+                    let place = uses().find(|place| inside(place.span)).or_else(|| uses().next());
+                    let at = place.map_or(named, |place| place.span);
                     if verdict != Joins::Joined {
-                        let diagnostic = self.open_windows(automaton, state, &verdict, at);
+                        let falls = if shape.is_curve() { "chain" } else { "sheet" };
+                        let diagnostic = self.open_windows(automaton, used.state, &verdict, falls, at);
                         if !self.diagnostics.contains(&diagnostic) {
                             self.diagnostics.push(diagnostic);
                         }
@@ -203,10 +212,19 @@ impl Lowering<'_, '_> {
             .hint(format!("give the last image of `{left}` and the first image of `{right}` the same point"))
     }
 
-    fn open_windows(&self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span) -> Diagnostic {
+    fn open_windows(
+        &self,
+        automaton: &Automaton,
+        state: StateId,
+        verdict: &Joins,
+        falls: &str,
+        at: Span,
+    ) -> Diagnostic {
         let name = &automaton.state(state).name;
-        let message = format!("neighbouring windows of the net do not meet with `{name}`");
-        let mut diagnostic = Diagnostic::new(Code::E0506, at, message).label("this sheet falls into pieces");
+        let points = if falls == "chain" { "list" } else { "net" };
+        let message = format!("neighbouring windows of the {points} do not meet with `{name}`");
+        let mut diagnostic =
+            Diagnostic::new(Code::E0506, at, message).label(format!("this {falls} falls into pieces"));
         if let Joins::Open(open) = verdict {
             let mut names = self.point_names(state);
             names.push("the next point".to_owned());
@@ -217,7 +235,10 @@ impl Lowering<'_, '_> {
                 diagnostic = diagnostic.also(germ, "what is drawn of each window");
             }
         }
-        diagnostic.hint("use a B-spline such as `bspline3`, or `tensor` on a net of just one window")
+        diagnostic.hint(match falls {
+            "chain" => "use a B-spline such as `bspline3`, or place the ifs on just one window",
+            _ => "use a B-spline such as `bspline3`, or `tensor` on a net of just one window",
+        })
     }
 
     fn difference(&self, open: &OpenJoin) -> String {
@@ -227,7 +248,7 @@ impl Lowering<'_, '_> {
         format!("at level {} they are {} apart", open.level, weights(&apart, &names))
     }
 
-    fn point_names(&self, state: StateId) -> Vec<String> {
+    pub(super) fn point_names(&self, state: StateId) -> Vec<String> {
         let instance = self.states.instances.get(state.index());
         match instance.map(|instance| &self.hir.item(instance.ifs).kind) {
             Some(ItemKind::Ifs(ifs)) => ifs.control_points.clone(),
@@ -235,7 +256,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn state_span(&self, state: StateId) -> Span {
+    pub(super) fn state_span(&self, state: StateId) -> Span {
         let instance = self.states.instances.get(state.index());
         instance.map_or(Span::default(), |instance| self.hir.item(instance.ifs).name_span)
     }
@@ -255,22 +276,15 @@ fn keeping(automaton: &Automaton, state: StateId) -> Option<StateId> {
 fn roots(figures: &[Planned]) -> Vec<(StateId, ItemId)> {
     let mut roots = BTreeMap::new();
     for (figure, source) in figures {
-        match &figure.shape {
-            Shape::Curve { state, .. } | Shape::Pieces(PiecesPlan { state, .. }) => {
-                roots.entry(*state).or_insert(source.item);
-            }
-            Shape::Sheet(sheet) => {
-                for state in [sheet.u, sheet.v] {
-                    roots.entry(state).or_insert(source.item);
-                }
-            }
+        for used in figure.shape.uses() {
+            roots.entry(used.state).or_insert(source.item);
         }
     }
     roots.into_iter().collect()
 }
 
 /// `1/2 p0 - 1/2 p1`
-fn weights(weights: &[Rational], names: &[String]) -> String {
+pub(super) fn weights(weights: &[Rational], names: &[String]) -> String {
     let mut words = String::new();
     for (weight, name) in weights.iter().zip(names).filter(|(weight, _)| !weight.is_zero()) {
         words.push_str(match (words.is_empty(), weight.is_negative()) {

@@ -2,19 +2,27 @@
 //! be planned.
 
 mod joins;
+mod patchwork;
+mod shapes;
+mod soundness;
+mod stated;
 mod states;
+mod until;
 
 use super::budget::{self, BudgetError, FigureCount};
-use super::figure::{Dimension, FigurePlan, Plan, PlanError, Shape, SheetPlan};
+use super::extent::{Extent, extent};
+use super::figure::{FigurePlan, Plan, PlanError, Shape};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::geometry::LARGEST_COORDINATE;
 use crate::hir::evaluate::{Evaluator, Overrides};
+use crate::hir::size::Until;
 use crate::hir::tree::{Hir, ItemId, ItemKind};
 use crate::hir::value::{self, Value};
 use crate::source::Span;
 use states::States;
 
 /// Where a figure of the plan comes from.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FigureSource {
     /// The figure item.
     pub item: ItemId,
@@ -22,6 +30,10 @@ pub struct FigureSource {
     pub index: Option<u32>,
     /// Where its level is said.
     pub level_span: Span,
+    /// The size its level was found by, where it was.
+    pub until: Option<Until>,
+    /// The expression that made it.
+    pub made: Span,
 }
 
 /// A plan with the places its figures come from.
@@ -33,6 +45,8 @@ pub struct Lowered {
     pub sources: Vec<FigureSource>,
     /// One for each figure of the plan.
     pub counts: Vec<FigureCount>,
+    /// One for each figure of the plan: how large it is, where it is of separate pieces.
+    pub extents: Vec<Option<Extent>>,
 }
 
 /// The plan of all figures a design declares; `None` after a report of an error.
@@ -41,8 +55,14 @@ pub fn lower<'h>(
     evaluator: &mut Evaluator<'h>,
     overrides: &Overrides,
 ) -> (Option<Lowered>, Vec<Diagnostic>) {
-    let mut lowering =
-        Lowering { hir, evaluator, states: States::default(), diagnostics: Vec::new(), failed: false };
+    let mut lowering = Lowering {
+        hir,
+        evaluator,
+        overrides,
+        states: States::default(),
+        diagnostics: Vec::new(),
+        failed: false,
+    };
     let mut figures = Vec::new();
     // An ifs is checked for all its parameters before a figure asks for some of them: one mistake, said once.
     for (id, _) in hir.project_items().filter(|(_, item)| matches!(item.kind, ItemKind::Ifs(_))) {
@@ -50,7 +70,7 @@ pub fn lower<'h>(
     }
     for (id, item) in hir.own_items() {
         match &item.kind {
-            ItemKind::Figure(_) => figures.extend(lowering.figure(id, overrides)),
+            ItemKind::Figure(_) => figures.extend(lowering.figure(id)),
             ItemKind::Param(_) | ItemKind::Let(_) => {
                 lowering.failed |= lowering.evaluator.global(id).is_err()
             }
@@ -60,9 +80,10 @@ pub fn lower<'h>(
     // A figure of another file is a figure of the design where the design makes something of it.
     for block in &hir.fabricates {
         if hir.item(block.figure).name_span.file != hir.root {
-            figures.extend(lowering.figure(block.figure, overrides));
+            figures.extend(lowering.figure(block.figure));
         }
     }
+    lowering.enter_stated();
     let lowered = lowering.plan(figures);
     (lowered, lowering.diagnostics)
 }
@@ -70,18 +91,16 @@ pub fn lower<'h>(
 struct Lowering<'a, 'h> {
     hir: &'h Hir,
     evaluator: &'a mut Evaluator<'h>,
+    overrides: &'a Overrides,
     states: States,
     diagnostics: Vec<Diagnostic>,
     failed: bool,
 }
 
 impl Lowering<'_, '_> {
-    fn figure(&mut self, id: ItemId, overrides: &Overrides) -> Vec<(FigurePlan, FigureSource)> {
+    fn figure(&mut self, id: ItemId) -> Vec<(FigurePlan, FigureSource)> {
         let name = self.hir.item(id).name.clone();
-        let shift = match &overrides.level_shift {
-            Some((figure, shift)) if *figure == name => *shift,
-            _ => 0,
-        };
+        let shift = self.level_shift(&name);
         let Ok(value) = self.evaluator.global(id) else {
             self.failed = true;
             return Vec::new();
@@ -108,6 +127,14 @@ impl Lowering<'_, '_> {
         planned
     }
 
+    /// By how much the levels of a figure are read higher or lower.
+    fn level_shift(&self, name: &str) -> i32 {
+        match &self.overrides.level_shift {
+            Some((figure, shift)) if figure == name => *shift,
+            _ => 0,
+        }
+    }
+
     fn one(
         &mut self,
         item: ItemId,
@@ -116,39 +143,21 @@ impl Lowering<'_, '_> {
         figure: &value::Figure,
         shift: i32,
     ) -> Option<(FigurePlan, FigureSource)> {
-        let Some(level) = figure.level else {
-            let message = format!("the figure `{name}` has no level");
-            let diagnostic = Diagnostic::new(Code::E0801, figure.span, message).label("how deep does it go?");
-            self.diagnostics.push(diagnostic.hint("add a level: `… at level 3`"));
-            return None;
-        };
-        let shifted = |level: u32| level.saturating_add_signed(shift);
-        let shape = match &figure.shape {
-            value::Shape::Curve { ifs, points, dimension } => Shape::Curve {
-                state: self.state(ifs)?,
-                points: points.clone(),
-                level: shifted(level.u),
-                dimension: if *dimension == 2 { Dimension::Plane } else { Dimension::Space },
-            },
-            value::Shape::Sheet { u, v, net, rows, columns, windows } => Shape::Sheet(SheetPlan {
-                u: self.state(u)?,
-                v: self.state(v)?,
-                net_rows: *rows,
-                net_columns: *columns,
-                net: net.clone(),
-                levels: (shifted(level.u), shifted(level.v.unwrap_or(level.u))),
-                windows: *windows,
-            }),
-        };
+        let (shape, level_span) = self.shape(name, figure, shift)?;
         let plan = FigurePlan { name: name.to_owned(), index, shape };
-        Some((plan, FigureSource { item, index, level_span: level.span }))
+        let until = figure.level.and_then(|level| level.until);
+        Some((plan, FigureSource { item, index, level_span, until, made: figure.span }))
     }
 
     fn plan(&mut self, mut figures: Vec<(FigurePlan, FigureSource)>) -> Option<Lowered> {
         let automaton = self.automaton()?;
+        if !self.find_patchworks(&automaton, &mut figures) {
+            return None;
+        }
         self.check_contraction(&automaton, &figures);
         let joined = self.check_joins(&automaton, &mut figures);
-        if self.failed || !joined {
+        let stated = self.check_stated(&automaton);
+        if self.failed || !joined || !stated || !self.find_levels(&automaton, &mut figures) {
             return None;
         }
         let (plans, sources): (Vec<FigurePlan>, Vec<FigureSource>) = figures.into_iter().unzip();
@@ -160,12 +169,40 @@ impl Lowering<'_, '_> {
             }
         };
         match budget::check(&plan, self.evaluator.limits().elements) {
-            Ok(counts) => Some(Lowered { plan, sources, counts }),
+            Ok(counts) => {
+                if !self.sound(&plan, &sources, &counts) {
+                    return None;
+                }
+                let extents = self.extents(&plan, &sources)?;
+                Some(Lowered { plan, sources, counts, extents })
+            }
             Err(error) => {
                 self.over_budget(&plan, &error, &sources);
                 None
             }
         }
+    }
+
+    /// How large the figures of separate pieces are; `None` after a report of one that is too large.
+    fn extents(&mut self, plan: &Plan, sources: &[FigureSource]) -> Option<Vec<Option<Extent>>> {
+        let mut extents = Vec::new();
+        let mut good = true;
+        for (figure, source) in plan.figures().iter().zip(sources) {
+            let extent = match &figure.shape {
+                Shape::Pieces(pieces) => Some(extent(plan.automaton(), pieces)),
+                _ => None,
+            };
+            if extent.is_some_and(|extent| !extent.is_within(LARGEST_COORDINATE)) {
+                let reach = LARGEST_COORDINATE / 1e6;
+                let message = format!("`{figure}` reaches further than {reach} km from the origin");
+                let diagnostic = Diagnostic::new(Code::E0707, source.level_span, message);
+                let hint = "let the transforms make smaller copies, or take a lower level";
+                self.diagnostics.push(diagnostic.label("too large").hint(hint));
+                good = false;
+            }
+            extents.push(extent);
+        }
+        good.then_some(extents)
     }
 
     /// What joins and placement leave over: coordinates beyond all bounds.

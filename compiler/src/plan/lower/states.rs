@@ -14,7 +14,7 @@ use crate::source::Span;
 #[derive(Default)]
 pub(super) struct States {
     pub(super) instances: Vec<Instance>,
-    bodies: Vec<Option<InstanceBody>>,
+    pub(super) bodies: Vec<Option<InstanceBody>>,
     overflow: bool,
 }
 
@@ -29,7 +29,10 @@ impl Lowering<'_, '_> {
                 let body = self.evaluator.instantiate(&instance).ok();
                 let targets: Vec<Instance> = body
                     .iter()
-                    .flat_map(|body| body.transforms.iter().map(|transform| transform.target.clone()))
+                    .flat_map(|body| {
+                        let transforms = body.transforms.iter().map(|transform| transform.target.clone());
+                        transforms.chain(body.boundaries.iter().map(|boundary| boundary.target.clone()))
+                    })
                     .collect();
                 self.states.bodies.push(body);
                 for target in targets {
@@ -85,12 +88,14 @@ impl Lowering<'_, '_> {
                 PointSpace::Control | PointSpace::Any => StateSpace::Control,
             };
             state.rounded = body.rounded;
+            state.boundaries = self.boundaries(body)?;
             state.keep = body.keep.iter().map(germ).collect::<Option<Vec<Germ>>>()?;
             states.push(state);
         }
         if self.states.bodies.len() < self.states.instances.len() {
             return None;
         }
+        self.state_joins(&mut states)?;
         match Automaton::try_new(states) {
             Ok(automaton) => Some(automaton),
             Err(error) => {
@@ -110,9 +115,9 @@ impl Lowering<'_, '_> {
             AutomatonError::UnknownTarget { state, .. }
             | AutomatonError::WeightSum { state, .. }
             | AutomatonError::GermVertices { state }
-            | AutomatonError::Boundary { state, .. }
-            | AutomatonError::StatedJoin { state, .. }
             | AutomatonError::GermWeights { state, .. } => (state, Code::E0501),
+            AutomatonError::Boundary { state, .. } => (state, Code::E0541),
+            AutomatonError::StatedJoin { state, .. } => (state, Code::E0540),
         };
         let instance =
             self.states.instances.iter().find(|instance| instance_name(self.hir, instance) == *state);

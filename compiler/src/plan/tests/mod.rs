@@ -3,6 +3,7 @@
 mod addresses;
 mod checks;
 mod evaluation;
+mod patchworks;
 mod pieces;
 mod printed;
 

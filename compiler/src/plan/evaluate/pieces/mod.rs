@@ -20,7 +20,8 @@ pub use tile::{PieceElement, Tile};
 
 use std::sync::Arc;
 
-use crate::ifs::{Automaton, Germ, GermShape, StateId};
+pub use crate::ifs::GermShape;
+use crate::ifs::{Automaton, Germ, StateId};
 
 use super::super::figure::{Depth, PiecesPlan};
 use super::combine::combine;

@@ -1,0 +1,80 @@
+//! `… until edge <= 600mm`, `… each until size <= 20mm`.
+
+use super::{Checker, Frame, error_expr};
+use crate::diagnostic::{Code, Diagnostic, did_you_mean};
+use crate::hir::size::{SizeMeasure, UntilExpr};
+use crate::hir::tree::{Expr, ExprKind, Limit};
+use crate::hir::types::Type;
+use crate::source::Span;
+use crate::syntax::ast::{self, Comparison};
+
+impl Checker<'_> {
+    pub(super) fn until(
+        &mut self,
+        frame: &mut Frame,
+        figure: Expr,
+        each: bool,
+        measure: &ast::Name,
+        limit: &ast::Limit,
+        span: Span,
+    ) -> Expr {
+        let known = self.size_measure(measure);
+        let checked = match limit {
+            ast::Limit::Compare(comparison, value) => {
+                let value = self.expect(frame, value, &Type::LENGTH);
+                Limit::Compare(*comparison, value)
+            }
+            ast::Limit::Within(range) => {
+                let least = self.expect(frame, &range.from, &Type::LENGTH);
+                Limit::Within(least, self.expect(frame, &range.to, &Type::LENGTH))
+            }
+        };
+        let (at, wrong) = match &checked {
+            Limit::Compare(_, value) => (measure.span.to(value.span), value.ty == Type::Error),
+            Limit::Within(from, to) => {
+                (measure.span.to(to.span), from.ty == Type::Error || to.ty == Type::Error)
+            }
+        };
+        let bounded = self.bounds(each, measure, &checked, at);
+        let Some(measure) = known.filter(|_| bounded && !wrong && figure.ty != Type::Error) else {
+            return error_expr(span);
+        };
+        let ty = figure.ty.clone();
+        let until = UntilExpr { each, measure, limit: checked, span: at };
+        Expr { kind: ExprKind::Until(Box::new(figure), Box::new(until)), ty, span }
+    }
+
+    fn size_measure(&mut self, measure: &ast::Name) -> Option<SizeMeasure> {
+        let known = SizeMeasure::named(&measure.text);
+        if known.is_none() {
+            let message = format!("`{}` is nothing a level is found by", measure.text);
+            let diagnostic =
+                Diagnostic::new(Code::E0550, measure.span, message).label("not a size of an element");
+            let words = SizeMeasure::ALL.map(SizeMeasure::word);
+            let hint = did_you_mean(&measure.text, words.into_iter());
+            let all = "a level is found by `edge`, `length` or `size`".to_owned();
+            self.report(diagnostic.hint(hint.unwrap_or(all)));
+        }
+        known
+    }
+
+    /// Whether a limit has the one bound a level is found by: a largest size.
+    fn bounds(&mut self, each: bool, measure: &ast::Name, limit: &Limit, at: Span) -> bool {
+        let (message, label, hint) = match limit {
+            Limit::Compare(Comparison::AtMost | Comparison::Less, _) => return true,
+            Limit::Within(..) if !each => return true,
+            Limit::Within(..) => (
+                "a branch that stops on its own has no smallest size",
+                "only a largest size",
+                format!("write `each until {} <= …`", measure.text),
+            ),
+            Limit::Compare(..) => (
+                "elements get smaller with every level: `until` needs a largest size",
+                "no largest size",
+                format!("write `until {} <= …`, or `in … .. …` for both ends", measure.text),
+            ),
+        };
+        self.report(Diagnostic::new(Code::E0551, at, message).label(label).hint(hint));
+        false
+    }
+}

@@ -1,0 +1,244 @@
+//! Boundaries and the joins that are stated of them: what their names stand for, and whether the joins hold.
+
+use super::Lowering;
+use super::joins::weights;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::exact::Rational;
+use crate::hir::evaluate::InstanceBody;
+use crate::hir::tree::{Ifs, ItemKind, Join};
+use crate::hir::value::{GermShape, Instance};
+use crate::ifs::{
+    Apart, Automaton, Boundary, End, Matrix, Side, State, StateId, Stated, StatedJoin, stated_join,
+};
+use crate::source::Span;
+
+/// Differences of weights below this are put down to rounding.
+const ROUNDING: f64 = 1e-12;
+
+type Path = [(String, Span)];
+
+impl Lowering<'_, '_> {
+    /// The joins of an ifs without parameters are proved even where no figure uses it.
+    pub(super) fn enter_stated(&mut self) {
+        for (id, item) in self.hir.own_items() {
+            let ItemKind::Ifs(ifs) = &item.kind else { continue };
+            if ifs.parameters.is_empty() && !ifs.joins.is_empty() {
+                self.failed |= self.state(&Instance { ifs: id, arguments: Vec::new() }).is_none();
+            }
+        }
+    }
+
+    /// The boundaries of a state; every ifs they name has been entered.
+    pub(super) fn boundaries(&self, body: &InstanceBody) -> Option<Vec<Boundary>> {
+        let boundary = |boundary: &crate::hir::evaluate::InstanceBoundary| {
+            let target = self.place(&boundary.target)?;
+            let matrix = Matrix::from_rows(boundary.rows.clone()).ok()?;
+            Some(Boundary { name: boundary.name.clone(), target, matrix })
+        };
+        body.boundaries.iter().map(boundary).collect()
+    }
+
+    fn place(&self, instance: &Instance) -> Option<StateId> {
+        let place = self.states.instances.iter().position(|known| known == instance)?;
+        Some(StateId(place as u32))
+    }
+
+    fn ifs_of(&self, state: usize) -> Option<&Ifs> {
+        match &self.hir.item(self.states.instances.get(state)?.ifs).kind {
+            ItemKind::Ifs(ifs) => Some(ifs),
+            _ => None,
+        }
+    }
+
+    /// Gives every state the joins that are stated of it; `None` after a report.
+    pub(super) fn state_joins(&mut self, states: &mut [State]) -> Option<()> {
+        let mut good = true;
+        for place in 0..states.len() {
+            let joins = self.ifs_of(place).map_or(Vec::new(), |ifs| ifs.joins.clone());
+            for join in joins {
+                match (self.side(states, place, &join.left), self.side(states, place, &join.right)) {
+                    (Ok(left), Ok(right)) => states[place].stated_joins.push(StatedJoin { left, right }),
+                    (Err(diagnostic), _) | (_, Err(diagnostic)) => {
+                        good = false;
+                        if !self.diagnostics.contains(&diagnostic) {
+                            self.diagnostics.push(*diagnostic);
+                        }
+                    }
+                }
+            }
+        }
+        good.then_some(())
+    }
+
+    /// What a path stands for: `left.end`, `start`, `bottom.left`.
+    fn side(&self, states: &[State], place: usize, path: &Path) -> Result<Side, Box<Diagnostic>> {
+        let state = &states[place];
+        let missing = |name: &str, of: &str, kind: &str, span: Span| {
+            let message = format!("`{of}` has no {kind} `{name}`");
+            Box::new(Diagnostic::new(Code::E0540, span, message).label("not declared"))
+        };
+        let ((first, span), second) = match path {
+            [own] => (own, None),
+            [first, second] => (first, Some(second)),
+            _ => return Err(missing("", &state.name, "boundary", Span::default())),
+        };
+        let transform = state.transforms.iter().position(|transform| transform.name == *first);
+        if let (Some(transform), Some((name, span))) = (transform, second) {
+            let piece = state.transforms[transform].target.index();
+            if let Some(boundary) = states[piece].boundaries.iter().position(|found| found.name == *name) {
+                return Ok(Side::Piece { transform, boundary });
+            }
+            let end = end(name).filter(|_| self.draws_segments(piece));
+            let end = end.ok_or_else(|| missing(name, &states[piece].name, "boundary", *span))?;
+            return Ok(Side::PieceEnd { transform, end });
+        }
+        let Some(boundary) = state.boundaries.iter().position(|boundary| boundary.name == *first) else {
+            let end = end(first).filter(|_| second.is_none() && self.draws_segments(place));
+            return end.map(Side::OwnEnd).ok_or_else(|| missing(first, &state.name, "boundary", *span));
+        };
+        let target = &states[state.boundaries[boundary].target.index()];
+        let transform = match second {
+            Some((name, span)) => {
+                let found = target.transforms.iter().position(|transform| transform.name == *name);
+                found.ok_or_else(|| missing(name, &target.name, "transform", *span))?
+            }
+            None if target.transforms.len() == 1 => 0,
+            None => return Err(Box::new(several(first, *span, target))),
+        };
+        Ok(Side::Own { boundary, transform })
+    }
+
+    fn draws_segments(&self, state: usize) -> bool {
+        let body = self.states.bodies.get(state).and_then(Option::as_ref);
+        body.is_some_and(|body| body.germ.shape == GermShape::Segment)
+    }
+
+    /// Whether every stated join holds, reported where it does not.
+    pub(super) fn check_stated(&mut self, automaton: &Automaton) -> bool {
+        let mut good = true;
+        for (place, state) in automaton.states().iter().enumerate() {
+            let id = StateId(place as u32);
+            let joins = self.ifs_of(place).map_or(Vec::new(), |ifs| ifs.joins.clone());
+            for (join, stated) in joins.iter().zip(&state.stated_joins) {
+                let diagnostic = match stated_join(automaton, id, stated) {
+                    Stated::Holds => continue,
+                    Stated::Apart(apart) => self.apart(automaton, id, join, stated, &apart),
+                    Stated::Unlike { level } => unlike(state, join, level),
+                    Stated::Unproved { level } => unproved(state, join, level),
+                };
+                good &= diagnostic.code == Code::W0546;
+                let said =
+                    |other: &Diagnostic| other.code == diagnostic.code && other.span == diagnostic.span;
+                if !self.diagnostics.iter().any(said) {
+                    self.diagnostics.push(diagnostic);
+                }
+            }
+        }
+        good
+    }
+
+    fn apart(
+        &self,
+        automaton: &Automaton,
+        id: StateId,
+        join: &Join,
+        stated: &StatedJoin,
+        apart: &Apart,
+    ) -> Diagnostic {
+        let state = automaton.state(id);
+        let names = self.point_names(id);
+        let (left, right) = (path_text(&join.left), path_text(&join.right));
+        let rows = [(&left, &apart.left_weights), (&right, &apart.right_weights)];
+        let rows = rows.map(|(name, row)| format!("`{name}` lies at {}", weights(row, &names)));
+        let difference =
+            apart.left_weights.iter().zip(&apart.right_weights).map(|(left, right)| left - right);
+        let difference: Vec<Rational> = difference.collect();
+        let largest = apart.largest_difference().to_f64();
+        let by = format!("at level {} they are {} apart", apart.level, weights(&difference, &names));
+        let mut diagnostic = if largest <= ROUNDING {
+            let message = format!(
+                "`{left}` and `{right}` of `{}` are joined only to within rounding, not exactly",
+                state.name
+            );
+            let note = format!(
+                "at level {} two weights differ by {largest:.3e}, which is below the tolerance of {ROUNDING:e}; deeper levels are not proved",
+                apart.level
+            );
+            Diagnostic::new(Code::W0546, join.span, message)
+                .label("equal but for rounding")
+                .note(note)
+                .hint("numbers such as `sqrt(3)` are rounded; write both sides with the same `let`, and the join is exact")
+        } else {
+            let message = format!("the join of `{}` does not hold: `{left}` is not `{right}`", state.name);
+            Diagnostic::new(Code::E0542, join.span, message)
+                .label("stated here")
+                .note(by)
+                .hint(format!("give `{left}` and `{right}` the same points, in the same order"))
+        };
+        for (side, row) in [stated.left, stated.right].into_iter().zip(rows) {
+            if let Some(span) = self.side_span(id, side) {
+                diagnostic = diagnostic.also(span, row);
+            }
+        }
+        diagnostic
+    }
+
+    /// Where the transform or boundary of a side is declared.
+    fn side_span(&self, state: StateId, side: Side) -> Option<Span> {
+        match side {
+            Side::Piece { transform, .. } | Side::PieceEnd { transform, .. } => {
+                self.transform_span(state, transform)
+            }
+            Side::Own { boundary, .. } => {
+                let body = self.states.bodies.get(state.index())?.as_ref()?;
+                body.boundaries.get(boundary).map(|boundary| boundary.name_span)
+            }
+            Side::OwnEnd(_) => self.germ_span(state),
+        }
+    }
+}
+
+fn several(name: &str, span: Span, target: &State) -> Diagnostic {
+    let message = format!(
+        "the boundary `{name}` has {} pieces after one step: which one is meant?",
+        target.transforms.len()
+    );
+    let names: Vec<String> =
+        target.transforms.iter().map(|transform| format!("`{name}.{}`", transform.name)).collect();
+    Diagnostic::new(Code::E0545, span, message)
+        .label("more than one piece")
+        .hint(format!("name one: {}", names.join(", ")))
+}
+
+fn unlike(state: &State, join: &Join, level: u32) -> Diagnostic {
+    let (left, right) = (path_text(&join.left), path_text(&join.right));
+    let message =
+        format!("`{left}` and `{right}` of `{}` cannot be joined: they are of different kinds", state.name);
+    Diagnostic::new(Code::E0543, join.span, message)
+        .label("not the same kind of thing")
+        .note(format!(
+            "at level {level} they draw different shapes, or are cut into different numbers of pieces"
+        ))
+        .hint("let both boundaries be the same ifs, on points that agree")
+}
+
+fn unproved(state: &State, join: &Join, level: u32) -> Diagnostic {
+    let (left, right) = (path_text(&join.left), path_text(&join.right));
+    let message = format!("that `{left}` is `{right}` in `{}` could not be proved", state.name);
+    Diagnostic::new(Code::E0544, join.span, message)
+        .label("neither proved nor refuted")
+        .note(format!("it holds at the first {level} levels; the proof takes too many steps"))
+        .hint("use fewer points, or weights of shorter fractions")
+}
+
+fn path_text(path: &Path) -> String {
+    path.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(".")
+}
+
+fn end(name: &str) -> Option<End> {
+    match name {
+        "start" => Some(End::Start),
+        "end" => Some(End::Finish),
+        _ => None,
+    }
+}

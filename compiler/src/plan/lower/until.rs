@@ -1,0 +1,224 @@
+//! Levels found by size, with a diagnostic at the line of those that cannot be.
+
+use super::{FigureSource, Lowering};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::dimension::Dimension;
+use crate::hir::evaluate::quantity_words;
+use crate::hir::size::{SizeBound, Until};
+use crate::ifs::{Automaton, Word};
+use crate::plan::budget::MAX_LEVEL;
+use crate::plan::evaluate::{EachError, PiecesEvaluator};
+use crate::plan::figure::{Depth, Each, FigurePlan, Shape};
+use crate::plan::until::{Sized, UntilError, set_level, smallest_level};
+
+/// Letters of a branch that are said.
+const LETTERS_SAID: usize = 6;
+
+impl Lowering<'_, '_> {
+    /// Gives every figure that says `until` its level; whether all could be found.
+    pub(super) fn find_levels(
+        &mut self,
+        automaton: &Automaton,
+        figures: &mut [(FigurePlan, FigureSource)],
+    ) -> bool {
+        let mut good = true;
+        for (figure, source) in figures {
+            let Some(until) = source.until else { continue };
+            if let Err(diagnostic) = self.find_level(automaton, figure, source, &until) {
+                // Figures of one list say the same mistake.
+                if !self.diagnostics.contains(&diagnostic) {
+                    self.diagnostics.push(*diagnostic);
+                }
+                good = false;
+            }
+        }
+        good
+    }
+
+    fn find_level(
+        &self,
+        automaton: &Automaton,
+        figure: &mut FigurePlan,
+        source: &FigureSource,
+        until: &Until,
+    ) -> Result<(), Box<Diagnostic>> {
+        let Until { each, bound, least } = *until;
+        if each {
+            let depth = self.each(automaton, figure, source, bound)?;
+            if let Shape::Pieces(pieces) = &mut figure.shape {
+                pieces.depth = depth;
+            }
+            return Ok(());
+        }
+        let found = smallest_level(automaton, figure, bound, least, self.evaluator.limits().elements);
+        let found = found.map_err(|error| self.no_level(automaton, source, until, &error))?;
+        let shift = self.level_shift(&figure.name);
+        set_level(&mut figure.shape, found.level.saturating_add_signed(shift));
+        Ok(())
+    }
+
+    fn each(
+        &self,
+        automaton: &Automaton,
+        figure: &FigurePlan,
+        source: &FigureSource,
+        bound: SizeBound,
+    ) -> Result<Depth, Box<Diagnostic>> {
+        let Shape::Pieces(pieces) = &figure.shape else {
+            let what = if matches!(figure.shape, Shape::Curve { .. }) { "a curve" } else { "a surface" };
+            let message = format!(
+                "`{}` is {what}: its elements are joined, and `each` would tear them apart",
+                figure.name
+            );
+            let diagnostic =
+                Diagnostic::new(Code::E0553, source.level_span, message).label("joined elements");
+            let measure = bound.measure.word();
+            let hint = format!("leave out `each`: `until {measure} <= …` is one level for all");
+            return Err(Box::new(diagnostic.hint(hint)));
+        };
+        let (drawn, deepest) = PiecesEvaluator::new(automaton, pieces)
+            .count_each(bound, self.evaluator.limits().elements)
+            .map_err(|error| self.not_each(automaton, source, bound, &error))?;
+        Ok(Depth::Each(Each { bound, drawn, deepest }))
+    }
+
+    fn not_each(
+        &self,
+        automaton: &Automaton,
+        source: &FigureSource,
+        bound: SizeBound,
+        error: &EachError,
+    ) -> Box<Diagnostic> {
+        let measure = bound.measure.word();
+        let at = source.level_span;
+        Box::new(match error {
+            EachError::NoMeasure { state } => {
+                return self.no_level(
+                    automaton,
+                    source,
+                    &Until { each: true, bound, least: None },
+                    &UntilError::NoMeasure { state: Some(*state) },
+                );
+            }
+            EachError::TooMany { word, size } => {
+                let most = self.evaluator.limits().elements;
+                let message = format!("this asks for more than {most} elements, which is the limit");
+                let (branch, size) = (branch(word, automaton), length(*size));
+                Diagnostic::new(Code::E0705, at, message)
+                    .label("too small a size")
+                    .note(format!("the branch {branch} is next; its {measure} is {size}"))
+                    .hint("ask for a larger size")
+            }
+            EachError::TooDeep { word, size, halfway } => {
+                let message = format!(
+                    "the branch {} does not get small enough: its {measure} is {} after {MAX_LEVEL} letters",
+                    branch(word, automaton),
+                    length(*size)
+                );
+                let diagnostic = Diagnostic::new(Code::E0706, at, message)
+                    .label(format!("not reached, nor after {} letters", word.letters.len() / 2))
+                    .note(format!("after {} letters it was {}", word.letters.len() / 2, length(*halfway)));
+                let letter = word.names(automaton).last().copied().unwrap_or_default();
+                diagnostic.hint(format!("let `{letter}` make its copies smaller"))
+            }
+        })
+    }
+
+    fn no_level(
+        &self,
+        automaton: &Automaton,
+        source: &FigureSource,
+        until: &Until,
+        error: &UntilError,
+    ) -> Box<Diagnostic> {
+        let (at, measure) = (source.level_span, until.bound.measure.word());
+        Box::new(match error {
+            UntilError::NoMeasure { state } => {
+                let what = match state {
+                    Some(state) => format!("what `{}` draws", automaton.state(*state).name),
+                    None => "a quad".to_owned(),
+                };
+                let message = format!("{what} has no `{measure}`");
+                let mut diagnostic = Diagnostic::new(Code::E0554, at, message).label("cannot be measured");
+                if let Some(germ) = state.and_then(|state| self.germ_span(state)) {
+                    diagnostic = diagnostic.also(germ, "what is drawn");
+                }
+                diagnostic.hint("points have no size, and only segments and struts a `length`: use `edge` or `size`, or give the level as a number")
+            }
+            UntilError::NotReached { last } => {
+                let most = self.evaluator.limits().elements;
+                let message = format!(
+                    "no level within the limit of {most} elements has every {measure} {}",
+                    limit(until)
+                );
+                let diagnostic = Diagnostic::new(Code::E0705, at, message).label("not reached");
+                let diagnostic = match last {
+                    Some(last) => diagnostic.note(gives(measure, last)),
+                    None => diagnostic.note("level 0 has more elements already"),
+                };
+                diagnostic.hint("ask for a larger size, or let the transforms make smaller copies")
+            }
+            UntilError::TooSmall { before, found } => {
+                let message = format!("no level has every {measure} {}", limit(until));
+                let diagnostic =
+                    Diagnostic::new(Code::E0552, at, message).label("both ends cannot be met at once");
+                let diagnostic = match before {
+                    Some(before) => diagnostic.note(gives(measure, before)),
+                    None => diagnostic,
+                };
+                let widest = before.map_or(found.sizes.most, |before| before.sizes.most);
+                let hint = match before {
+                    Some(before) => format!(
+                        "a range that level {} meets goes to {}; one that level {} meets starts at {}",
+                        before.level,
+                        length(widest),
+                        found.level,
+                        length(found.sizes.least)
+                    ),
+                    None => format!("a range that level 0 meets starts at {}", length(found.sizes.least)),
+                };
+                diagnostic.note(gives(measure, found)).hint(hint)
+            }
+        })
+    }
+}
+
+/// `level 3 gives edges from 480mm to 910mm`
+fn gives(measure: &str, found: &Sized) -> String {
+    let (least, most) = (length(found.sizes.least), length(found.sizes.most));
+    if least == most {
+        return format!("level {} gives {measure} {least}", found.level);
+    }
+    format!("level {} gives {measure} from {least} to {most}", found.level)
+}
+
+/// `<= 600mm`, `in 150mm .. 600mm`
+fn limit(until: &Until) -> String {
+    let most = length(until.bound.most);
+    match (until.least, until.bound.strict) {
+        (Some(least), _) => format!("in {} .. {most}", length(least)),
+        (None, true) => format!("< {most}"),
+        (None, false) => format!("<= {most}"),
+    }
+}
+
+/// Three decimals; what is smaller, with its first digits.
+fn length(millimetres: f64) -> String {
+    if millimetres != 0.0 && millimetres.abs() < 0.01 {
+        return format!("{millimetres:.2e}mm");
+    }
+    quantity_words(millimetres, Dimension::LENGTH)
+}
+
+/// The first letters of a branch, `left.left…`, and how many there are.
+fn branch(word: &Word, automaton: &Automaton) -> String {
+    let names = word.names(automaton);
+    match names.len() {
+        0 => "with no letters yet".to_owned(),
+        few if few <= LETTERS_SAID => format!("`{}`", names.join(".")),
+        many => {
+            let last = names.last().copied().unwrap_or_default();
+            format!("`{}…{last}` of {many} letters", names[..LETTERS_SAID].join("."))
+        }
+    }
+}
