@@ -16,6 +16,7 @@ pub mod imports;
 pub mod invariants;
 pub mod layout;
 pub mod outcome;
+pub mod pages;
 pub mod referees;
 pub mod sources;
 pub mod suite;

@@ -4,6 +4,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::PathBuf;
 
 use ifs_compiler::analysis::{Analysis, Verdict, analyse, run_tests};
 use ifs_compiler::diagnostic::{Code, Diagnostic, Severity};
@@ -12,6 +13,7 @@ use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::outputs::{Selection, outputs};
 use ifs_compiler::source::{Files, MemoryFiles, ReadError};
 use ifs_compiler::syntax::limits::MAX_BYTES;
+use ifs_tests::pages::{Block, blocks};
 use ifs_tests::{root, sources, suite};
 
 /// Codes that no text alone can bring about, each with the test that does.
@@ -49,9 +51,12 @@ fn every_code_is_covered() {
 
 /// The analysis of one design with parameters set.
 fn analysed(bytes: &[u8], settings: &[(&str, &str)]) -> Analysis {
+    analyse(&MemoryFiles::default().with("design.ifs", bytes), "design.ifs", &overrides(settings))
+}
+
+fn overrides(settings: &[(&str, &str)]) -> Overrides {
     let parameters = settings.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
-    let overrides = Overrides { parameters: parameters.collect::<BTreeMap<_, _>>(), ..Overrides::default() };
-    analyse(&MemoryFiles::default().with("design.ifs", bytes), "design.ifs", &overrides)
+    Overrides { parameters: parameters.collect::<BTreeMap<_, _>>(), ..Overrides::default() }
 }
 
 /// What the tests of a design find.
@@ -203,29 +208,13 @@ fn every_module_of_the_library_is_without_fault() {
     }
 }
 
-/// A block of a page: where it begins, what stands after its three backticks, its text.
-struct Block {
-    place: String,
-    words: String,
-    text: String,
-}
-
-fn blocks() -> Vec<Block> {
-    let mut pages = sources::files(&root().join("docs"), "md");
-    pages.push(root().join("README.md"));
-    let mut blocks = Vec::new();
-    for path in pages {
-        let page = fs::read_to_string(&path).unwrap();
-        let mut lines = page.lines().enumerate();
-        while let Some((line, text)) = lines.next() {
-            let Some(words) = text.trim_start().strip_prefix("```") else { continue };
-            let inner = lines.by_ref().map(|(_, line)| line).take_while(|line| line.trim() != "```");
-            let text = inner.map(|line| format!("{line}\n")).collect();
-            let place = format!("{}:{}", path.strip_prefix(root()).unwrap().display(), line + 1);
-            blocks.push(Block { place, words: words.trim().to_owned(), text });
-        }
-    }
-    blocks
+/// The pages of documentation with their paths.
+fn pages() -> Vec<(String, String)> {
+    let mut paths = sources::files(&root().join("docs"), "md");
+    paths.push(root().join("README.md"));
+    let read = |path: &PathBuf| fs::read_to_string(path).unwrap();
+    let name = |path: &PathBuf| path.strip_prefix(root()).unwrap().display().to_string();
+    paths.iter().map(|path| (name(path), read(path))).collect()
 }
 
 /// What a page shows as wrong has the page's code; all else can be used as it stands.
@@ -233,32 +222,40 @@ fn blocks() -> Vec<Block> {
 fn the_designs_in_the_documentation_mean_what_it_says() {
     let mut faults = Vec::new();
     let mut seen = 0;
-    for block in blocks() {
-        let Some(words) = block.words.strip_prefix("ifs") else { continue };
-        seen += 1;
-        let code = block.place.rsplit('/').next().and_then(|name| Code::parse(name.split('.').next()?));
-        let settings: Vec<(&str, &str)> =
-            words.split_whitespace().filter_map(|word| word.split_once('=')).collect();
-        let mut analysis = analysed(block.text.as_bytes(), &settings);
-        analysis.diagnostics.extend(tested(&analysis));
-        // A block that names other files shows only that: there are none beside a page.
-        if words.split_whitespace().any(|word| word == "files") {
-            analysis.diagnostics.retain(|found| !matches!(found.code, Code::E0001 | Code::E0306));
-            if analysis.diagnostics.is_empty() {
-                continue;
+    for (path, page) in pages() {
+        let code = path.rsplit('/').next().and_then(|name| Code::parse(name.split('.').next()?));
+        let mut files = MemoryFiles::default();
+        for block in blocks(&page).into_iter().filter(Block::is_design) {
+            seen += 1;
+            let name = block.file.as_deref().unwrap_or("design.ifs");
+            let settings = overrides(&block.settings());
+            let mut analysis = analyse(&files.clone().with(name, block.whole.as_bytes()), name, &settings);
+            analysis.diagnostics.extend(tested(&analysis));
+            if !block.has("wrong") {
+                files = files.with(name, block.whole.as_bytes());
             }
-        }
-        let wrong = words.split_whitespace().any(|word| word == "wrong");
-        let errors = analysis.diagnostics.iter().filter(|found| found.code.severity() == Severity::Error);
-        match (wrong, code) {
-            (true, Some(code)) if !analysis.diagnostics.iter().any(|found| found.code == code) => {
-                faults.push(format!("{} is to show {}: {:?}", block.place, code.name(), said("", &analysis)));
-            }
-            (true, None) if errors.count() == 0 => faults.push(format!("{} shows no error", block.place)),
-            (false, _) if !analysis.diagnostics.is_empty() => faults.extend(said(&block.place, &analysis)),
-            _ => {}
+            faults.extend(fault_of_block(&format!("{path}:{}", block.line), &block, code, analysis));
         }
     }
     assert!(seen > 50, "only {seen} designs are shown");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+fn fault_of_block(place: &str, block: &Block, code: Option<Code>, mut analysis: Analysis) -> Vec<String> {
+    // A block that names files that are shown nowhere shows only that.
+    if block.has("files") {
+        analysis.diagnostics.retain(|found| !matches!(found.code, Code::E0001 | Code::E0306));
+        if analysis.diagnostics.is_empty() {
+            return Vec::new();
+        }
+    }
+    let errors = analysis.diagnostics.iter().filter(|found| found.code.severity() == Severity::Error);
+    match (block.has("wrong"), code) {
+        (true, Some(code)) if !analysis.diagnostics.iter().any(|found| found.code == code) => {
+            vec![format!("{place} is to show {}: {:?}", code.name(), said("", &analysis))]
+        }
+        (true, None) if errors.count() == 0 => vec![format!("{place} shows no error")],
+        (false, _) => said(place, &analysis),
+        _ => Vec::new(),
+    }
 }
