@@ -59,7 +59,7 @@ ifs fern in plane {
 #[test]
 fn the_fern_has_the_matrices_of_the_book() {
     let fern = body(&analysed(FERN), "fern");
-    assert_eq!(fern.control_points, 3);
+    assert_eq!(fern.points, ["origin", "x", "y"]);
     // Barnsley's table: a, b, c, d, e, f of x' = a x + b y + e, y' = c x + d y + f, e and f in metres.
     let book = [
         [0.0, 0.0, 0.0, 0.16, 0.0, 0.0],

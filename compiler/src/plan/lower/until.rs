@@ -5,7 +5,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
 use crate::hir::size::{SizeBound, Until};
-use crate::ifs::{Automaton, Word};
+use crate::ifs::{Automaton, Count, Word, count, size_bound};
 use crate::plan::budget::MAX_LEVEL;
 use crate::plan::evaluate::{EachError, PiecesEvaluator};
 use crate::plan::figure::{Depth, Each, FigurePlan, Shape};
@@ -51,7 +51,17 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         let found = smallest_level(automaton, figure, bound, least, self.evaluator.limits().elements);
-        let found = found.map_err(|error| self.no_level(automaton, source, until, &error))?;
+        let found = found.map_err(|error| {
+            let diagnostic = self.no_level(automaton, source, until, &error);
+            let promised = match error {
+                UntilError::NotReached { .. } => promised_level(automaton, figure, bound),
+                _ => None,
+            };
+            match promised {
+                Some(promised) => Box::new(diagnostic.note(promised)),
+                None => diagnostic,
+            }
+        })?;
         let shift = self.level_shift(&figure.name);
         set_level(&mut figure.shape, found.level.saturating_add_signed(shift));
         Ok(())
@@ -181,6 +191,22 @@ impl Lowering<'_, '_> {
             }
         })
     }
+}
+
+/// What the proof of contraction promises, without evaluating anything: from which level on every element is small enough.
+fn promised_level(automaton: &Automaton, figure: &FigurePlan, bound: SizeBound) -> Option<String> {
+    let (state, points) = match &figure.shape {
+        Shape::Curve { state, points, .. } => (*state, points),
+        Shape::Pieces(pieces) => (pieces.state, &pieces.points),
+        _ => return None,
+    };
+    let proved = size_bound(automaton, state)?;
+    let level = (0..=MAX_LEVEL).find(|level| bound.holds(proved.size(*level, points)))?;
+    let count = match count(automaton, state, level, u64::MAX) {
+        Count::Exactly(elements) => format!("{elements} elements"),
+        Count::Exceeds => "more elements than can be counted".to_owned(),
+    };
+    Some(format!("its contraction promises it from level {level} on, which has {count}"))
 }
 
 /// `level 3 gives edges from 480mm to 910mm`

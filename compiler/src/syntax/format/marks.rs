@@ -65,6 +65,7 @@ impl Marker<'_, '_> {
             ItemKind::Ifs(it) => {
                 self.glue(it.name.span.end);
                 self.fields(&it.parameters, false);
+                self.space(&it.space);
                 it.members.iter().for_each(|member| self.member(member));
             }
             ItemKind::Test(it) => it.steps.iter().for_each(|step| self.step(step)),
@@ -74,6 +75,16 @@ impl Marker<'_, '_> {
                 self.typed(it.result.as_ref(), Some(&it.body));
             }
             ItemKind::Use(_) | ItemKind::Error => {}
+        }
+    }
+
+    fn space(&mut self, space: &Space) {
+        let Space::On(points, _) = space else { return };
+        for point in points {
+            if let Some(count) = &point.count {
+                self.glue(point.name.span.end);
+                self.expr(count);
+            }
         }
     }
 
