@@ -3,6 +3,8 @@
 // A benchmark that cannot build its design has nothing to measure.
 #![allow(clippy::expect_used)]
 
+pub mod pieces;
+
 use ifs_compiler::exact::Rational;
 use ifs_compiler::ifs::{Automaton, Germ, Matrix, State, StateId, Transform};
 

@@ -38,6 +38,8 @@ pub enum Command {
     Test(Test),
     /// Print the parameters of a design
     Params(Params),
+    /// Print the documentation of the standard library
+    Doc(Doc),
     /// Explain a diagnostic code
     Explain(Explain),
 }
@@ -118,6 +120,18 @@ pub struct Params {
     pub settings: Vec<Setting>,
 }
 
+/// `ifs doc`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Doc {
+    /// A module or an item: curves, bezier3, std.curves.bezier3; all modules where it is not given
+    #[arg(value_name = "ITEM")]
+    pub item: Option<String>,
+
+    /// The whole library as one page of Markdown
+    #[arg(long, conflicts_with = "item")]
+    pub markdown: bool,
+}
+
 /// `ifs explain`.
 #[derive(Debug, Clone, PartialEq, Args)]
 pub struct Explain {
@@ -194,7 +208,7 @@ impl Cli {
             Command::Build(build) => build.settings.as_slice(),
             Command::Test(test) => test.settings.as_slice(),
             Command::Params(params) => params.settings.as_slice(),
-            Command::Fmt(_) | Command::Explain(_) => &[],
+            Command::Fmt(_) | Command::Doc(_) | Command::Explain(_) => &[],
         };
         for (index, setting) in settings.iter().enumerate() {
             if settings[..index].iter().any(|earlier| earlier.name == setting.name) {

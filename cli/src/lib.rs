@@ -32,6 +32,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
         Command::Fmt(fmt) => commands::fmt::fmt(fmt, cli.message_format),
         Command::Test(test) => commands::test::test(test, cli.message_format),
         Command::Params(params) => commands::params::params(params, cli.message_format),
+        Command::Doc(doc) => commands::doc::doc(doc),
         Command::Explain(explain) => commands::explain::explain(explain),
     }
 }

@@ -3,14 +3,18 @@
 The file is JSON with our points in full double precision (the shortest decimal that gives the same number back):
 
     {"curves":   [{"kind": "bezier"|"bspline", "degree": 3, "split": null|0.46, "level": 4,
-                   "points": [[x, y, z], …], "vertices": [[x, y, z], …]}],
+                   "points": [[x, y, z], …], "weights": null|[w, …], "closed": false,
+                   "vertices": [[x, y, z], …]}],
      "surfaces": [{"kind": …, "degree": …, "split": …, "levels": [2, 2],
-                   "net": [[[x, y, z], …], …], "vertices": [[[x, y, z], …], …]}]}
+                   "net": [[[x, y, z], …], …], "weights": null|[[w, …], …], "closed": [false, false],
+                   "vertices": [[[x, y, z], …], …]}]}
 
 `kind`, `degree` and `split` of a surface are one value for both directions or a pair [u, v]. `net[i][j]` and
 `vertices[i][j]` run with i in u and j in v. A Bézier curve has degree + 1 points; each level splits every interval of
 its parameter at `split` (1/2 if null). A B-spline is uniform, its n points give n - degree spans, and each level halves
-them; `split` must be null. Vertices lie on the curve, in the order of the parameter, both ends included.
+them; `split` must be null. Vertices lie on the curve, in the order of the parameter, both ends included. A closed
+B-spline is continued by its own first points, and its last vertex, the first one again, is left out. With weights a
+curve or surface is rational: scipy gets the homogeneous coordinates, to be divided here, and geomdl its own NURBS.
 
 A coordinate may differ by 1e-12 times the greatest control coordinate (at least 1), from scipy and from geomdl. Prints
 one line of JSON with the greatest differences; exit code 1 if one is too great or the number of vertices is wrong.
@@ -20,6 +24,7 @@ import json
 import sys
 
 import numpy
+from geomdl import NURBS
 from geomdl import BSpline as geomdl_bspline
 from scipy.interpolate import BPoly, BSpline
 
@@ -60,15 +65,19 @@ def by_scipy(kind, degree, points, at):
 
 
 def curve_by_geomdl(kind, degree, points, at):
-    curve = geomdl_bspline.Curve(normalize_kv=False)
+    rational = points.shape[-1] == 4
+    curve = (NURBS if rational else geomdl_bspline).Curve(normalize_kv=False)
     curve.degree = degree
-    curve.ctrlpts = points.tolist()
+    if rational:
+        curve.ctrlptsw = points.tolist()
+    else:
+        curve.ctrlpts = points.tolist()
     curve.knotvector = knots(kind, degree, len(points))
     return numpy.array(curve.evaluate_list(at.tolist()))
 
 
 def surface_by_geomdl(kinds, degrees, net, at_u, at_v):
-    surface = geomdl_bspline.Surface(normalize_kv=False)
+    surface = (NURBS if net.shape[-1] == 4 else geomdl_bspline).Surface(normalize_kv=False)
     surface.degree_u, surface.degree_v = degrees
     surface.ctrlpts2d = net.tolist()
     surface.knotvector_u = knots(kinds[0], degrees[0], net.shape[0])
@@ -82,19 +91,43 @@ def both(value):
     return value if isinstance(value, list) else [value, value]
 
 
+def homogeneous(points, weights):
+    """Rows (wx, wy, wz, w), or the points as they are where they have no weights."""
+    if weights is None:
+        return points
+    weights = numpy.array(weights, dtype=float)[..., numpy.newaxis]
+    return numpy.concatenate([points * weights, weights], axis=-1)
+
+
+def divided(points):
+    return points[..., :3] / points[..., 3:] if points.shape[-1] == 4 else points
+
+
+def continued(points, degree, closed, axis):
+    """A closed list is followed by its own first points."""
+    return numpy.concatenate([points, points.take(range(degree), axis)], axis) if closed else points
+
+
 def check_curve(curve):
     kind, degree, points = curve["kind"], curve["degree"], numpy.array(curve["points"], dtype=float)
-    at = parameters(kind, degree, curve.get("split"), curve["level"], len(points))
-    return points, [by_scipy(kind, degree, points, at), curve_by_geomdl(kind, degree, points, at)]
+    closed = curve.get("closed", False)
+    rows = continued(homogeneous(points, curve.get("weights")), degree, closed, 0)
+    at = parameters(kind, degree, curve.get("split"), curve["level"], len(rows))
+    at = at[:-1] if closed else at
+    return points, [divided(by_scipy(kind, degree, rows, at)), curve_by_geomdl(kind, degree, rows, at)]
 
 
 def check_surface(surface):
     kinds, degrees, splits = both(surface["kind"]), both(surface["degree"]), both(surface.get("split"))
     net = numpy.array(surface["net"], dtype=float)
-    at = [parameters(kinds[d], degrees[d], splits[d], surface["levels"][d], net.shape[d]) for d in (0, 1)]
-    rows = by_scipy(kinds[0], degrees[0], net, at[0])
-    grid = by_scipy(kinds[1], degrees[1], rows.transpose(1, 0, 2), at[1]).transpose(1, 0, 2)
-    return net, [grid, surface_by_geomdl(kinds, degrees, net, at[0], at[1])]
+    closed, heavy = both(surface.get("closed", False)), homogeneous(net, surface.get("weights"))
+    for d in (0, 1):
+        heavy = continued(heavy, degrees[d], closed[d], d)
+    at = [parameters(kinds[d], degrees[d], splits[d], surface["levels"][d], heavy.shape[d]) for d in (0, 1)]
+    at = [at[d][:-1] if closed[d] else at[d] for d in (0, 1)]
+    rows = by_scipy(kinds[0], degrees[0], heavy, at[0])
+    grid = divided(by_scipy(kinds[1], degrees[1], rows.transpose(1, 0, 2), at[1]).transpose(1, 0, 2))
+    return net, [grid, surface_by_geomdl(kinds, degrees, heavy, at[0], at[1])]
 
 
 def main(path):

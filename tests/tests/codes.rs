@@ -25,6 +25,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("E0314", "an_unknown_key_stands_where_it_is_written"),
     ("E0315", "a_value_that_cannot_be_used"),
     ("W0316", "what_a_project_sets_loses_against_what_is_nearer"),
+    ("E0605", "a_parameter_the_design_does_not_have"),
     ("E0606", "a_text_that_is_no_value"),
     ("E0807", "a_design_without_figures_is_not_built"),
     ("E0901", "a_board_that_the_machine_cannot_cut"),
@@ -111,6 +112,16 @@ fn a_parameter_the_design_does_not_have() {
     let found = only(&analysis);
     assert_eq!(found.code, Code::E0605);
     assert!(found.hints.iter().any(|hint| hint.text.contains("`span`")), "{:?}", found.hints);
+
+    // That of a file it uses keeps its default.
+    let files = MemoryFiles::single("design.ifs", "use \"./parts/sizes.ifs\" (span)\nlet half = span / 2\n")
+        .with("parts/sizes.ifs", "pub param span: Length = 6m\n");
+    let parameters = BTreeMap::from([("span".to_owned(), "7m".to_owned())]);
+    let overrides = Overrides { parameters, ..Overrides::default() };
+    let analysis = analyse(&files, "design.ifs", &overrides);
+    let found = only(&analysis);
+    assert_eq!(found.code, Code::E0605);
+    assert!(found.notes[0].contains("`parts/sizes.ifs`") && found.notes[0].contains("keeps its default"));
 }
 
 #[test]

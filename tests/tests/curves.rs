@@ -34,31 +34,48 @@ fn figure<'a>(analysis: &'a Analysis, name: &str) -> (&'a FigurePlan, FigureGeom
 }
 
 fn curve(analysis: &Analysis, name: &str, (kind, degree, split): Rule) -> Value {
-    let (FigurePlan { shape: Shape::Curve { points, level, .. }, .. }, FigureGeometry::Curve(vertices)) =
-        figure(analysis, name)
-    else {
+    let (plan, FigureGeometry::Curve(vertices)) = figure(analysis, name) else {
         panic!("{name} is no curve")
     };
-    let vertices: Vec<[f64; 3]> = vertices.into_iter().map(|point| point.to_array()).collect();
-    json!({"kind": kind, "degree": degree, "split": split, "level": level, "points": points, "vertices": vertices})
+    let mut vertices: Vec<[f64; 3]> = vertices.into_iter().map(|point| point.to_array()).collect();
+    let (points, level, weights, closed) = match &plan.shape {
+        Shape::Curve { points, level, .. } => (points, level, &None, false),
+        Shape::Chain(chain) => (&chain.points, &chain.level, &chain.weights, chain.closed),
+        _ => panic!("{name} is no curve"),
+    };
+    if closed {
+        assert_eq!(vertices.pop(), vertices.first().copied(), "{name} ends where it began");
+    }
+    json!({
+        "kind": kind, "degree": degree, "split": split, "level": level, "points": points, "weights": weights,
+        "closed": closed, "vertices": vertices,
+    })
 }
 
 fn surface(analysis: &Analysis, name: &str, rules: [Rule; 2]) -> Value {
-    let (FigurePlan { shape: Shape::Sheet(sheet), .. }, FigureGeometry::Surface(mesh)) =
-        figure(analysis, name)
-    else {
+    let (plan, FigureGeometry::Surface(mesh)) = figure(analysis, name) else {
         panic!("{name} is no surface")
     };
-    let SheetPlan { net, net_columns, levels, .. } = sheet;
-    // The vertices lie row by row, v along a row.
+    let (SheetPlan { net, net_columns, levels, .. }, weights, closed) = match &plan.shape {
+        Shape::Sheet(sheet) => (sheet, &None, (false, false)),
+        Shape::Net(net) => (&net.sheet, &net.weights, net.closed),
+        _ => panic!("{name} is no product"),
+    };
+    // The vertices lie row by row, v along a row; a closed row does not repeat its first one.
     let degree = rules[1].1 as usize;
-    let windows = if rules[1].0 == "bezier" { 1 } else { net_columns - degree };
-    let columns = (windows << levels.1) + 1;
+    let windows = match (rules[1].0, closed.1) {
+        ("bezier", _) => 1,
+        (_, false) => net_columns - degree,
+        (_, true) => *net_columns,
+    };
+    let columns = (windows << levels.1) + usize::from(!closed.1);
     let vertices: Vec<[f64; 3]> = mesh.vertices.iter().map(|point| point.to_array()).collect();
     json!({
         "kind": rules.map(|rule| rule.0), "degree": rules.map(|rule| rule.1), "split": rules.map(|rule| rule.2),
         "levels": [levels.0, levels.1],
         "net": net.chunks(*net_columns).collect::<Vec<_>>(),
+        "weights": weights.as_ref().map(|weights| weights.chunks(*net_columns).collect::<Vec<_>>()),
+        "closed": [closed.0, closed.1],
         "vertices": vertices.chunks(columns).collect::<Vec<_>>(),
     })
 }
@@ -154,6 +171,88 @@ fn every_curve_of_the_library_agrees_at_every_split_and_level() {
     for who in ["scipy", "geomdl"] {
         assert!(verdict.counts["worst"][who].as_f64().unwrap() <= 1e-9, "{}", verdict.counts);
     }
+}
+
+/// Chains of windows, open and closed; closed nets; rational curves and surfaces.
+const ROUND: &str = "
+use std.curves (bezier2, bezier3, bspline2, bspline3, chain)
+use std.surfaces (tensor, sheet)
+
+let c = sqrt(2) / 2
+let list = [(i * 1m, 2m * sin(70deg * i), 0.3m * i * i) for i in 0..8]
+let heavy = [weighted(list[i], w: 1 + i / 3) for i in 0..8]
+let net = [[ weighted((i * 0.7m, j * 1.1m, 0.8m * sin(35deg * i) * cos(25deg * j)), w: 1 + i * j / 5) for j in 0..7 ] for i in 0..6]
+let ring = [[ ((3m + 1m * cos(60deg * j)) * cos(45deg * i), (3m + 1m * cos(60deg * j)) * sin(45deg * i), 1m * sin(60deg * j)) for j in 0..6 ] for i in 0..8]
+
+figure open    = chain(bspline3, list) at level 4
+figure round   = chain(bspline3, list, closed: true) at level 4
+figure chaikin = chain(bspline2, heavy, closed: true) at level 3
+figure rope    = chain(bspline3, heavy) at level 5
+figure quarter = bezier2 on ((1m, 0m), weighted((1m, 1m), w: c), (0m, 1m)) at level 8
+figure leaning = bezier3(t: 0.3) on (list[0], weighted(list[1], w: 5), weighted(list[2], w: 0.2), list[3]) at level 5
+figure window  = bspline3 on heavy[2..6] at level 5
+
+figure torus   = sheet(bspline3, bspline3, ring, closed: uv) at level 3
+figure around  = sheet(bspline3, bspline2, ring, closed: u) at level (2, 3)
+figure tube    = sheet(bspline2, bspline3, ring, closed: v) at level (1, 2)
+figure soft    = sheet(bspline3, bspline2, net) at level 2
+figure closed  = sheet(bspline2, bspline3, net, closed: uv) at level 2
+figure patch   = tensor(bezier2, bezier3(t: 0.6)) on net[0..3, 2..6] at level (4, 3)
+figure dome    = tensor(bezier2, bezier2) on [
+    [(1m, 0m, 0m), weighted((1m, 0m, 1m), w: c), (0m, 0m, 1m)],
+    [weighted((1m, 1m, 0m), w: c), weighted((1m, 1m, 1m), w: c * c), weighted((0m, 0m, 1m), w: c)],
+    [(0m, 1m, 0m), weighted((0m, 1m, 1m), w: c), (0m, 0m, 1m)],
+] at level 5
+";
+
+#[test]
+fn chains_closed_nets_and_rational_figures_agree() {
+    let design = analysis_of(ROUND);
+    let curves = [
+        ("open", BSPLINE3),
+        ("round", BSPLINE3),
+        ("chaikin", BSPLINE2),
+        ("rope", BSPLINE3),
+        ("quarter", BEZIER2),
+        ("leaning", ("bezier", 3, Some(0.3))),
+        ("window", BSPLINE3),
+    ];
+    let surfaces = [
+        ("torus", [BSPLINE3, BSPLINE3]),
+        ("around", [BSPLINE3, BSPLINE2]),
+        ("tube", [BSPLINE2, BSPLINE3]),
+        ("soft", [BSPLINE3, BSPLINE2]),
+        ("closed", [BSPLINE2, BSPLINE3]),
+        ("patch", [BEZIER2, ("bezier", 3, Some(0.6))]),
+        ("dome", [BEZIER2, BEZIER2]),
+    ];
+    let count = design.plan.as_ref().unwrap().plan.figures().len();
+    assert_eq!(curves.len() + surfaces.len(), count, "each figure is compared");
+    let verdict = judge(
+        "curves-round",
+        curves.map(|(name, rule)| curve(&design, name, rule)).into(),
+        surfaces.map(|(name, rules)| surface(&design, name, rules)).into(),
+    );
+    assert!(verdict.good, "{}", verdict.faults);
+}
+
+/// An eighth of a sphere is one: rational points are divided, and sizes are measured after it.
+#[test]
+fn a_rational_dome_is_an_eighth_of_a_sphere() {
+    let design = analysis_of(ROUND);
+    let (_, FigureGeometry::Surface(dome)) = figure(&design, "dome") else { panic!("no surface") };
+    let (_, FigureGeometry::Curve(quarter)) = figure(&design, "quarter") else { panic!("no curve") };
+    for point in dome.vertices.iter().chain(&quarter) {
+        assert!((point.length() - 1000.0).abs() <= 1000.0 * 1e-12, "{point}");
+    }
+}
+
+/// The referee sees weights that are lost.
+#[test]
+fn a_circle_without_its_weights_is_refused() {
+    let mut quarter = curve(&analysis_of(ROUND), "quarter", BEZIER2);
+    quarter["weights"] = Value::Null;
+    assert!(!judge("curves-lost", vec![quarter], Vec::new()).good);
 }
 
 /// The paper's program: the first one of the README, as it stands there.

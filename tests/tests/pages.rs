@@ -8,8 +8,8 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use ifs_compiler::diagnostic::Code;
-use ifs_compiler::hir::LIBRARY;
 use ifs_compiler::hir::dimension::Dimension;
+use ifs_compiler::hir::library_docs;
 use ifs_compiler::hir::native::natives;
 use ifs_compiler::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
 use ifs_compiler::syntax::ast::Unit;
@@ -130,27 +130,13 @@ fn functions() -> String {
     table(&["function", "what it gives", "from"], rows)
 }
 
-/// The public items of the library: the first sentence of their documentation.
+/// The modules of the library and what they offer.
 fn library() -> String {
-    let mut rows = Vec::new();
-    for (module, text) in LIBRARY {
-        let mut docs: Vec<&str> = Vec::new();
-        for line in text.lines() {
-            if let Some(doc) = line.strip_prefix("///") {
-                docs.push(doc.trim());
-            } else if let Some(item) = line.strip_prefix("pub ") {
-                let name = item.split(' ').nth(1).unwrap().split(['(', ':']).next().unwrap();
-                let doc = docs.join(" ");
-                let sentence =
-                    doc.split_once(". ").map_or(doc.as_str(), |(first, _)| first).trim_end_matches('.');
-                rows.push(vec![format!("`{name}`"), sentence.to_owned(), format!("`std.{module}`")]);
-                docs.clear();
-            } else {
-                docs.clear();
-            }
-        }
-    }
-    table(&["item", "what it is", "from"], rows.into_iter())
+    let rows = library_docs().into_iter().map(|module| {
+        let items: Vec<String> = module.items.iter().map(|item| format!("`{}`", item.name)).collect();
+        vec![format!("`{}`", module.path()), module.summary(), items.join(" ")]
+    });
+    table(&["module", "what", "its items"], rows)
 }
 
 fn diagnostics() -> String {

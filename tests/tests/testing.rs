@@ -1,4 +1,4 @@
-//! `ifs test` and `ifs params` as a user meets them: what is printed, where, and the exit codes.
+//! `ifs test`, `ifs params` and `ifs doc` as a user meets them: what is printed, where, and the exit codes.
 #![allow(clippy::disallowed_methods, reason = "the tests start programs and write what they read")]
 #![allow(clippy::unwrap_used, reason = "a test may fail anywhere")]
 
@@ -54,6 +54,18 @@ fn tests_of_a_design_with_errors_are_not_run() {
     assert_eq!(run(program().arg("test").arg(folder.join("none.ifs"))).code, Some(3));
     fs::write(folder.join("b.ifs"), "let a = 1\n").unwrap();
     assert_eq!(run(program().arg("test").arg(folder.join("b.ifs"))).good(), "0 tests\n");
+}
+
+#[test]
+fn the_library_is_explained() {
+    let doc = |more: &[&str]| run(program().arg("doc").args(more));
+    assert!(doc(&[]).good().contains("std.materials"));
+    assert!(doc(&["curves"]).good().contains("bezier3"));
+    let item = doc(&["bezier3"]).good();
+    assert!(item.starts_with("ifs bezier3(t: Number = 1/2) on (p0, p1, p2, p3)\n"), "{item}");
+    assert!(doc(&["--markdown"]).good().starts_with("# The standard library\n"));
+    doc(&["bezeir3"]).failed(2, &["the library has no `bezeir3`", "did you mean `bezier3`?"]);
+    doc(&["nonsense_of_mine"]).failed(2, &["`ifs doc` lists the modules"]);
 }
 
 #[test]

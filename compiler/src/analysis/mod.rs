@@ -152,6 +152,7 @@ struct Evaluated {
 /// Works a typed design out; `mend` says whether remedies are looked for where requirements fail.
 fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
     let mut evaluator = Evaluator::new(hir, overrides);
+    evaluator.report_untyped();
     let mut diagnostics = Diagnostics::default();
     let (plan, found) = lower(hir, &mut evaluator, overrides);
     diagnostics.extend(found);

@@ -5,8 +5,10 @@ mod check;
 pub mod dimension;
 pub mod evaluate;
 mod library;
+mod library_docs;
 pub mod map;
 pub mod native;
+mod native_docs;
 pub mod placed;
 pub mod scalar;
 pub mod schema;
@@ -17,3 +19,4 @@ pub mod value;
 
 pub use check::{Checked, ModuleSource, check};
 pub use library::{LIBRARY, library_text};
+pub use library_docs::{ItemDocs, ModuleDocs, library_docs, library_page};

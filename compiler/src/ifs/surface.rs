@@ -5,6 +5,8 @@
 //! polygon. Then each edge is an automaton of its own, the chain of the pieces' edges along it, and two edges that are
 //! glued must draw the same chain, run through backwards, at every level ([`super::equivalence`]).
 
+use std::collections::BTreeSet;
+
 use crate::exact::Rational;
 
 use super::automaton::{Automaton, StateId};
@@ -12,6 +14,9 @@ use super::equivalence::{Claim, Equivalence, Placed, prove};
 use super::germ::GermShape;
 use super::parts::{Part, Parts};
 use super::patch::{Adjacency, PieceEdge, Segment, coincident, patch, segments};
+
+/// Edges that are compared with one another to find those that come nearest, at most.
+const MOST_COMPARED: usize = 200;
 
 /// Whether the pieces of a surface share their edges.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -112,9 +117,11 @@ fn proved(automaton: &Automaton, adjacency: Adjacency) -> SurfaceJoins {
 /// The two edges at level 1 that are glued to nothing and come nearest to each other.
 fn open_at_once(state: StateId, segments: &[Segment]) -> SurfaceJoins {
     let pairs = coincident(segments);
+    let glued: BTreeSet<usize> = pairs.iter().flat_map(|(a, b)| [*a, *b]).collect();
     let free: Vec<&Segment> = (0..segments.len())
-        .filter(|place| pairs.iter().all(|(a, b)| a != place && b != place))
+        .filter(|place| !glued.contains(place))
         .map(|place| &segments[place])
+        .take(MOST_COMPARED)
         .collect();
     let apart =
         |a: &[Rational], b: &[Rational]| -> Rational { a.iter().zip(b).map(|(a, b)| (a - b).abs()).sum() };

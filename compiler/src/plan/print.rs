@@ -137,6 +137,9 @@ fn write_figure(f: &mut fmt::Formatter<'_>, plan: &Plan, figure: &FigurePlan) ->
     write!(f, "figure {figure}: ")?;
     write_shape(f, plan, &figure.shape)?;
     match super::budget::figure_count(plan.automaton(), figure, u32::MAX) {
+        Some(counts) if matches!(figure.shape, Shape::Patchwork(_)) => {
+            writeln!(f, ": {} elements", counts.elements)
+        }
         Some(counts) => writeln!(f, ": {} elements, {} vertices", counts.elements, counts.vertices),
         None => writeln!(f, ": more elements than can be counted"),
     }

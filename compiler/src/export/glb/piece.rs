@@ -39,9 +39,9 @@ pub(super) enum Piece<'a> {
     /// Triangles as given.
     Indices(&'a [[u32; 3]]),
     /// Positions of separate pieces, so many.
-    PieceVertices(&'a PiecesEvaluator, usize),
+    SeparateVertices(&'a PiecesEvaluator, usize),
     /// Places of these positions, so many.
-    PiecePlaces(&'a PiecesEvaluator, Places, usize),
+    SeparatePlaces(&'a PiecesEvaluator, Places, usize),
 }
 
 impl Piece<'_> {
@@ -57,8 +57,8 @@ impl Piece<'_> {
             Self::PartPoints(parts) => (parts.iter().map(|part| part.solid.vertices.len()).sum(), 12),
             Self::PartTriangles(parts) => (parts.iter().map(|part| part.solid.triangles.len()).sum(), 12),
             Self::Indices(triangles) => (triangles.len(), 12),
-            Self::PieceVertices(_, count) => (*count, 12),
-            Self::PiecePlaces(_, _, count) => (*count, 4),
+            Self::SeparateVertices(_, count) => (*count, 12),
+            Self::SeparatePlaces(_, _, count) => (*count, 4),
         };
         count as u64 * size
     }
@@ -109,8 +109,8 @@ impl Piece<'_> {
                     first += part.solid.vertices.len() as u32;
                 }
             }
-            Self::PieceVertices(evaluator, _) => vertices(evaluator, |vertex| sink.point(vertex))?,
-            Self::PiecePlaces(evaluator, kind, _) => {
+            Self::SeparateVertices(evaluator, _) => vertices(evaluator, |vertex| sink.point(vertex))?,
+            Self::SeparatePlaces(evaluator, kind, _) => {
                 places(evaluator, *kind, |place| sink.indices([place]))?;
             }
             Self::Indices(triangles) => triangles.iter().try_for_each(|&three| sink.indices(three))?,

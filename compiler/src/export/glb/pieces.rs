@@ -85,7 +85,8 @@ pub(super) fn add_pieces<'a>(
         return Ok(None);
     }
     let evaluator = pieces.evaluator;
-    let view = layout.view(Piece::PieceVertices(evaluator, sum.vertices as usize), Target::ArrayBuffer, None);
+    let view =
+        layout.view(Piece::SeparateVertices(evaluator, sum.vertices as usize), Target::ArrayBuffer, None);
     let positions = layout.bounded(view, 0, sum.vertices, sum.low, sum.high);
     let mut primitives = Vec::new();
     let kinds = [
@@ -98,7 +99,7 @@ pub(super) fn add_pieces<'a>(
         let plain =
             places != Places::Triangles && (count * each) as u64 == sum.vertices && sum.triangles == 0;
         let indices = (!plain).then(|| {
-            let piece = Piece::PiecePlaces(evaluator, places, count * each);
+            let piece = Piece::SeparatePlaces(evaluator, places, count * each);
             layout.indices(piece, count * each)
         });
         primitives.push(layout.primitive(mode, look, positions, indices));

@@ -183,6 +183,34 @@ mod tests {
         assert_eq!(found.measured[0].place, "between vault.0.2 and vault.1.2");
     }
 
+    /// A square that goes round has a joint at its seam, and distances run across it.
+    #[test]
+    fn rings_have_a_joint_at_their_seam() {
+        let square = |y: f64, turn: usize| -> Vec<DVec3> {
+            let corners = [(0.0, 0.0), (900.0, 0.0), (900.0, 900.0), (0.0, 900.0)];
+            (0..5).map(|i| corners[(i + turn) % 4]).map(|(x, z)| DVec3::new(x, y, z)).collect()
+        };
+        let labels = labels(2, 4);
+        let measure = |points: [&[DVec3]; 2]| {
+            let curves =
+                [0, 1].map(|ring| Curve { points: points[ring], labels: &labels[ring], closed: true });
+            overlap(&curves, Limit::AtLeast(80.0))
+        };
+        for turn in 0..4 {
+            let found = measure([&square(0.0, 0), &square(27.0, turn)]);
+            assert_eq!((found.total, found.extremes), (1, Some((0.0, 0.0))), "turn {turn}");
+        }
+        // Joints half way between the other's, but one 2 degrees before its seam.
+        let ring = |angles: [f64; 4]| -> Vec<DVec3> {
+            let point = |angle: f64| DVec3::new(libm::cos(angle), 0.0, libm::sin(angle)) * 1000.0;
+            (0..5).map(|i| point(angles[i % 4].to_radians())).collect()
+        };
+        let found = measure([&ring([0.0, 90.0, 180.0, 270.0]), &ring([45.0, 135.0, 225.0, 358.0])]);
+        let (least, _) = found.extremes.unwrap();
+        assert!((least - 25.0).abs() < 1.0, "{least}");
+        assert_eq!(found.measured[0].address, "vault.0.0");
+    }
+
     #[test]
     fn joints_beyond_the_other_curve_are_carried_to_its_end() {
         let arches = [

@@ -30,6 +30,25 @@ fn knee() -> Vec<DVec3> {
     vec![DVec3::ZERO, DVec3::X * 600.0, DVec3::new(600.0 + diagonal, 0.0, diagonal)]
 }
 
+/// A square that goes round: four planks alike, each mitred at both ends, the seam a joint like the others.
+#[test]
+fn a_square_ring() {
+    let corners = [(0.0, 0.0), (600.0, 0.0), (600.0, 600.0), (0.0, 600.0), (0.0, 0.0)];
+    let points: Vec<DVec3> = corners.iter().map(|(x, z)| DVec3::new(*x, 0.0, *z)).collect();
+    let made = closed_planks(&points, &labels(4), &settings(Ends::Mitred)).unwrap();
+    assert_eq!((made.planks.len(), made.refused.len()), (4, 0));
+    for (place, plank) in made.planks.iter().enumerate() {
+        let mitres = plank.mitres.map(|mitre| (mitre.abs() - std::f64::consts::FRAC_PI_4).abs());
+        assert!(mitres.iter().all(|off| *off < 1e-12), "{:?}", plank.mitres);
+        assert!((plank.inner_length - 480.0).abs() < 1e-9 && (plank.outer_length - 720.0).abs() < 1e-9);
+        let neighbours = [(place + 3) % 4, (place + 1) % 4].map(|other| Some(format!("rib.{other}")));
+        assert_eq!(plank.neighbours, neighbours);
+    }
+    // Open, the same points have two square ends.
+    let open = make(&points, &settings(Ends::Mitred));
+    assert_eq!((open.planks[0].mitres[0], open.planks[3].mitres[1]), (0.0, 0.0));
+}
+
 #[test]
 fn a_mitred_knee() {
     let made = make(&knee(), &settings(Ends::Mitred));

@@ -146,10 +146,6 @@ impl Checker<'_> {
                     matches!(&member.kind, ast::MemberKind::Transform(ast::Transform { name, family: Some(_), .. }) if name.text == *first)
                 });
                 if family {
-                    let message = "a member of a family in a join is not available yet";
-                    let diagnostic = Diagnostic::new(Code::E0001, *first_span, message);
-                    let diagnostic = diagnostic.label("a family of transforms");
-                    self.report(diagnostic.hint("write the transforms that you join one by one"));
                     return;
                 }
                 let transforms = typed.transforms.iter().map(|transform| transform.name.as_str());

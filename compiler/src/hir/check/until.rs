@@ -51,7 +51,7 @@ impl Checker<'_> {
             let diagnostic =
                 Diagnostic::new(Code::E0550, measure.span, message).label("not a size of an element");
             let words = SizeMeasure::ALL.map(SizeMeasure::word);
-            let hint = did_you_mean(&measure.text, words.into_iter());
+            let hint = did_you_mean(&measure.text, words);
             let all = "a level is found by `edge`, `length` or `size`".to_owned();
             self.report(diagnostic.hint(hint.unwrap_or(all)));
         }

@@ -1,12 +1,12 @@
 //! Boundaries of an ifs with its arguments worked out. What is proved of them is not said here.
 
-use super::instance::{exact, weights};
+use super::instance::exact;
 use super::{Evaluator, Frame, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::Boundary;
-use crate::hir::value::{GermShape, IfsValue, Instance, Value};
+use crate::hir::value::{Combination, GermShape, IfsValue, Instance, Terms, Value};
 use crate::source::Span;
 
 /// A boundary worked out.
@@ -65,5 +65,12 @@ impl Evaluator<'_> {
             Some(stop) => Err(stop),
             None => Ok((target.clone(), rows)),
         }
+    }
+}
+
+fn weights(point: &Combination) -> Outcome<Vec<Scalar>> {
+    match &point.terms {
+        Terms::Weights(weights) => Ok(weights.clone()),
+        Terms::Coordinates(_) => Err(Stop::Reported),
     }
 }

@@ -23,7 +23,7 @@ impl Evaluator<'_> {
     fn expr_here(&mut self, frame: &mut Frame, expr: &Expr) -> Outcome<Value> {
         let span = expr.span;
         match &expr.kind {
-            ExprKind::Error => Err(Stop::Reported),
+            ExprKind::Error => Err(self.untyped(expr.span)),
             ExprKind::Scalar(scalar) => Ok(Value::Scalar(scalar.clone())),
             ExprKind::Bool(truth) => Ok(Value::Bool(*truth)),
             ExprKind::Text(text) => Ok(Value::Text(text.as_str().into())),

@@ -13,6 +13,9 @@ use crate::hir::value::{Combination, Germ, GermShape, Instance, OwnGerm, Terms, 
 use crate::source::Span;
 use std::sync::Arc;
 
+/// Work on long fractions that counts as a step.
+const WORK_PER_STEP: u64 = 8;
+
 /// How a germ is drawn, and the weights of its vertices.
 pub(super) type Drawn = (GermShape, Vec<Vec<Scalar>>);
 
@@ -189,8 +192,8 @@ impl Evaluator<'_> {
                 let row: Option<Vec<Rational>> = row.iter().map(Scalar::to_rational).collect();
                 rows.push(row.ok_or(Stop::Undetermined)?);
             }
-            self.spend((rows.len() as u64).saturating_pow(3).saturating_mul(2), at)?;
-            let Some(row) = fixed_row(&rows) else {
+            let row = fixed_row(&rows, &mut |work| self.spend(work / WORK_PER_STEP, at))?;
+            let Some(row) = row else {
                 let message = format!(
                     "there is no limit germ: the {which} transform, `{}`, does not keep just one point",
                     transform.name
@@ -217,27 +220,35 @@ fn stepped(from: &Triple, axis: &Triple, by: &Scalar) -> Result<Triple, ScalarEr
 /// The only row g of sum 1 with g · T = g (GEOMETRY 1, limit rows); `None` where there is none, or more than one.
 ///
 /// By elimination on the columns of T - 1 with the sum as one more equation.
-fn fixed_row(matrix: &[Vec<Rational>]) -> Option<Vec<Rational>> {
+/// `spend` is told of the work before it is done.
+fn fixed_row(
+    matrix: &[Vec<Rational>],
+    spend: &mut dyn FnMut(u64) -> Outcome<()>,
+) -> Outcome<Option<Vec<Rational>>> {
     let count = matrix.len();
     let (zero, one) = (Rational::from(0), Rational::from(1));
     if matrix.iter().any(|row| row.len() != count) {
-        return None;
+        return Ok(None);
     }
     let mut equations: Vec<Vec<Rational>> = (0..count)
         .map(|column| {
-            let weight = |row: usize| {
-                if row == column { &matrix[row][column] - &one } else { matrix[row][column].clone() }
+            let weight = |row: usize| match row == column {
+                true => &matrix[row][column] - &one,
+                false => matrix[row][column].clone(),
             };
             (0..count).map(weight).chain([zero.clone()]).collect()
         })
         .collect();
     equations.push(vec![one.clone(); count + 1]);
     for pivot in 0..count {
-        let found = (pivot..equations.len()).find(|row| !equations[*row][pivot].is_zero())?;
+        let Some(found) = (pivot..equations.len()).find(|row| !equations[*row][pivot].is_zero()) else {
+            return Ok(None);
+        };
         equations.swap(pivot, found);
         let lead = equations[pivot][pivot].clone();
         for entry in &mut equations[pivot] {
-            *entry = entry.checked_div(&lead).ok()?;
+            spend(work(entry, &lead))?;
+            *entry = entry.checked_div(&lead).map_err(|_| Stop::Reported)?;
         }
         let leading = equations[pivot].clone();
         for (_, equation) in equations.iter_mut().enumerate().filter(|(row, _)| *row != pivot) {
@@ -245,13 +256,20 @@ fn fixed_row(matrix: &[Vec<Rational>]) -> Option<Vec<Rational>> {
             if factor.is_zero() {
                 continue;
             }
-            for (entry, lead) in equation.iter_mut().zip(&leading) {
+            for (entry, lead) in equation.iter_mut().zip(&leading).filter(|(_, lead)| !lead.is_zero()) {
+                spend(work(&factor, lead))?;
                 *entry = &*entry - &(&factor * lead);
             }
         }
     }
     let consistent = equations[count..].iter().all(|equation| equation[count].is_zero());
-    consistent.then(|| equations[..count].iter().map(|equation| equation[count].clone()).collect())
+    Ok(consistent.then(|| equations[..count].iter().map(|equation| equation[count].clone()).collect()))
+}
+
+/// What a product costs: the square of its words, since it is brought to lowest terms.
+fn work(a: &Rational, b: &Rational) -> u64 {
+    let words = (a.bits() + b.bits()) / 64 + 1;
+    words.saturating_mul(words)
 }
 
 #[cfg(test)]
@@ -263,18 +281,37 @@ mod tests {
         rows.iter().map(|row| row.iter().map(number).collect()).collect()
     }
 
+    fn fixed(matrix: &[Vec<Rational>]) -> Option<Vec<Rational>> {
+        fixed_row(matrix, &mut |_| Ok(())).unwrap()
+    }
+
     #[test]
     fn the_cubic_b_spline_ends_at_its_limit_rows() {
         let left = matrix(&[&[4, 4, 0, 0], &[1, 6, 1, 0], &[0, 4, 4, 0], &[0, 1, 6, 1]], 8);
-        assert_eq!(fixed_row(&left), Some(matrix(&[&[1, 4, 1, 0]], 6).remove(0)));
+        assert_eq!(fixed(&left), Some(matrix(&[&[1, 4, 1, 0]], 6).remove(0)));
         let right = matrix(&[&[1, 6, 1, 0], &[0, 4, 4, 0], &[0, 1, 6, 1], &[0, 0, 4, 4]], 8);
-        assert_eq!(fixed_row(&right), Some(matrix(&[&[0, 1, 4, 1]], 6).remove(0)));
+        assert_eq!(fixed(&right), Some(matrix(&[&[0, 1, 4, 1]], 6).remove(0)));
     }
 
     #[test]
     fn a_matrix_that_keeps_many_points_or_none_has_no_limit_row() {
-        assert_eq!(fixed_row(&matrix(&[&[1, 0], &[0, 1]], 1)), None);
+        assert_eq!(fixed(&matrix(&[&[1, 0], &[0, 1]], 1)), None);
         // A translation: (0, 0) goes to (1, 0), (1, 0) to (2, 0).
-        assert_eq!(fixed_row(&matrix(&[&[0, 1], &[-1, 2]], 1)), None);
+        assert_eq!(fixed(&matrix(&[&[0, 1], &[-1, 2]], 1)), None);
+    }
+
+    #[test]
+    fn the_work_on_long_fractions_is_counted_before_it_is_done() {
+        let count = 100_i64;
+        let weight =
+            |row: i64, column: i64| Rational::new((row * 37 + column * 61) % 97 + 1, 997 + row).unwrap();
+        let dense: Vec<Vec<Rational>> =
+            (0..count).map(|row| (0..count).map(|column| weight(row, column)).collect()).collect();
+        let mut left = 1_000_000_u64;
+        let outcome = fixed_row(&dense, &mut |work| {
+            left = left.checked_sub(work).ok_or(Stop::Reported)?;
+            Ok(())
+        });
+        assert_eq!(outcome, Err(Stop::Reported));
     }
 }

@@ -247,10 +247,3 @@ pub fn instance_name(hir: &Hir, instance: &Instance) -> String {
 pub(super) fn exact(row: Vec<Scalar>) -> Outcome<Row> {
     row.iter().map(|weight| weight.to_rational().ok_or(Stop::Undetermined)).collect()
 }
-
-pub(super) fn weights(point: &Combination) -> Outcome<Vec<Scalar>> {
-    match &point.terms {
-        Terms::Weights(weights) => Ok(weights.clone()),
-        Terms::Coordinates(_) => Err(Stop::Reported),
-    }
-}

@@ -79,6 +79,8 @@ pub struct Evaluator<'a> {
     rounded: bool,
     /// What is made of figures, for tests.
     made: Option<&'a MadeValues>,
+    /// Whether nothing was said yet of what could not be typed.
+    reports_untyped: bool,
 }
 
 /// An ifs used where its pieces must join.
@@ -133,6 +135,7 @@ impl<'a> Evaluator<'a> {
             must_join: Vec::new(),
             broken: BTreeSet::new(),
             within: None,
+            reports_untyped: false,
             open: BTreeSet::new(),
             sums: BTreeMap::new(),
             wrong_sums: BTreeSet::new(),
@@ -207,6 +210,21 @@ impl<'a> Evaluator<'a> {
             frame.set(LocalId(0), material.clone());
         }
         self.expr(&mut frame, value)
+    }
+
+    /// Reports what could not be typed, from here on. In a design in which the checker found no errors, that is what is
+    /// made of an element of an empty list.
+    pub fn report_untyped(&mut self) {
+        self.reports_untyped = true;
+    }
+
+    fn untyped(&mut self, span: Span) -> Stop {
+        if !self.reports_untyped {
+            return Stop::Reported;
+        }
+        let message = "this is made of an element of an empty list, which has none";
+        let diagnostic = Diagnostic::new(Code::E0602, span, message).label("cannot be worked out");
+        self.report(diagnostic.hint("put at least one element into the list"))
     }
 
     /// The uses of ifs whose pieces must join, met so far.

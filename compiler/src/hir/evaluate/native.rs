@@ -106,7 +106,7 @@ impl Evaluator<'_> {
                 return Ok(Value::Bool(list.iter().all(|value| *value == Value::Bool(true))));
             }
             (Native::Any, [Value::List(list)]) => {
-                return Ok(Value::Bool(list.iter().any(|value| *value == Value::Bool(true))));
+                return Ok(Value::Bool(list.contains(&Value::Bool(true))));
             }
             (Native::Close, [Value::Scalar(a), Value::Scalar(b), Value::Scalar(within)]) => {
                 return self.close(a, b, within, span).map(Value::Bool);

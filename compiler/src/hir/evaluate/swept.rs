@@ -144,8 +144,8 @@ impl Evaluator<'_> {
             _ => {
                 let is = value.number().ok_or(Stop::Undetermined)?;
                 let (message, hint) = if is < least as f64 {
-                    let plural = if least == 1 { "" } else { "s" };
-                    let message = format!("at least {least} {what}{plural} are needed, but this is {is}");
+                    let (plural, are) = if least == 1 { ("", "is") } else { ("s", "are") };
+                    let message = format!("at least {least} {what}{plural} {are} needed, but this is {is}");
                     (message, format!("write {least} or more"))
                 } else {
                     (format!("{is} {what}s are more than can be made"), "write a smaller number".to_owned())

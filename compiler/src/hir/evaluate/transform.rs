@@ -15,7 +15,7 @@ use crate::source::Span;
 const MOST_MEMBERS: usize = 1000;
 
 /// What a member of a family costs beside its images, in steps.
-const STEPS_PER_MEMBER: u64 = 20;
+const STEPS_PER_MEMBER: u64 = 50;
 
 /// A transform, or a member of a family of them, worked out.
 pub(super) struct Piece {

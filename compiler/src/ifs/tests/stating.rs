@@ -1,5 +1,7 @@
 //! Joins as they are stated, on the B-spline of LANGUAGE 9 and on arcs of segments.
 
+use proptest::prelude::*;
+
 use super::fixtures::*;
 use crate::ifs::*;
 
@@ -116,4 +118,83 @@ fn different_kinds_are_unlike() {
     }];
     let automaton = Automaton::try_new(automaton).unwrap();
     assert_eq!(verdicts(&automaton, SPLINE), [Stated::Unlike { level: 1 }]);
+}
+
+/// A carrier on three points with two boundaries of one ifs on two points, and the join of the one in its first piece
+/// with the other in its second.
+fn random_join(entries: &[i64]) -> Automaton {
+    let affine = |rows: &[i64], columns: usize| {
+        let complete = |row: &[i64]| {
+            let rest = 2 - row.iter().sum::<i64>();
+            weights(2, &row.iter().copied().chain([rest]).collect::<Vec<_>>())
+        };
+        Matrix::from_rows(rows.chunks_exact(columns - 1).map(complete).collect()).unwrap()
+    };
+    let mut edge = curve(
+        "edge",
+        vec![affine(&entries[..2], 2), affine(&entries[2..4], 2)],
+        vec![r(entries[4], 1), r(1 - entries[4], 1)],
+        unit(2, 0),
+    );
+    edge.transforms.iter_mut().for_each(|transform| transform.target = StateId(1));
+    edge.germ = Germ { shape: GermShape::Point, vertices: vec![edge.germ.vertices[0].clone()] };
+    let pieces = vec![affine(&entries[5..11], 3), affine(&entries[11..17], 3)];
+    let mut carrier = curve("carrier", pieces, unit(3, 0), unit(3, 2));
+    let boundary = |name: &str, rows: &[i64]| {
+        let (name, target) = (name.to_owned(), StateId(1));
+        Boundary { name, target, matrix: affine(rows, 3) }
+    };
+    carrier.boundaries = vec![boundary("one", &entries[17..21]), boundary("other", &entries[21..25])];
+    let piece = |transform, boundary| Side::Piece { transform, boundary };
+    carrier.stated_joins = vec![StatedJoin { left: piece(0, 0), right: piece(1, 1) }];
+    Automaton::try_new(vec![carrier, edge]).unwrap()
+}
+
+/// Rows of all points that a state draws at a level, on points given by `matrix`.
+fn drawn(
+    automaton: &Automaton,
+    state: StateId,
+    matrix: &Matrix,
+    level: u32,
+) -> Vec<Vec<crate::exact::Rational>> {
+    let found = automaton.state(state);
+    if level == 0 {
+        let germ = Matrix::from_rows(found.germ.vertices.clone()).unwrap().product(matrix).unwrap();
+        return (0..germ.rows()).map(|row| germ.row(row).to_vec()).collect();
+    }
+    let pieces = found.transforms.iter();
+    pieces
+        .flat_map(|piece| drawn(automaton, piece.target, &piece.matrix.product(matrix).unwrap(), level - 1))
+        .collect()
+}
+
+proptest! {
+    /// Against plain enumeration: what holds is equal at every level looked at, what parts does so where it is said.
+    #[test]
+    fn verdicts_are_those_of_enumeration(
+        mut entries in prop::collection::vec(0_i64..2, 25),
+        same in any::<bool>(),
+    ) {
+        if same {
+            // The same up to one weight that need not matter.
+            entries.copy_within(5..11, 11);
+            entries.copy_within(17..20, 21);
+        }
+        let automaton = random_join(&entries);
+        let carrier = automaton.state(SPLINE);
+        let side = |place: usize, level| {
+            let (piece, boundary) = (&carrier.transforms[place], &carrier.boundaries[place]);
+            drawn(&automaton, StateId(1), &boundary.matrix.product(&piece.matrix).unwrap(), level)
+        };
+        let first = (0..6).find(|level| side(0, *level) != side(1, *level));
+        match stated_join(&automaton, SPLINE, &carrier.stated_joins[0]) {
+            Stated::Holds => prop_assert_eq!(first, None),
+            Stated::Apart(apart) => {
+                prop_assert_eq!(first, Some(apart.level - 1));
+                prop_assert!(side(0, apart.level - 1).contains(&apart.left_weights));
+                prop_assert!(side(1, apart.level - 1).contains(&apart.right_weights));
+            }
+            other => prop_assert!(false, "{:?}", other),
+        }
+    }
 }

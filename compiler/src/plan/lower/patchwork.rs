@@ -47,13 +47,17 @@ impl Lowering<'_, '_> {
                 figure.shape = Shape::Patchwork(PatchworkPlan { state, points, level, dimension });
             }
         }
+        // One mistake, said where it matters first.
+        let mut said: Vec<StateId> = Vec::new();
         for (state, at, why) in needed {
+            if said.contains(&state) {
+                continue;
+            }
             let verdict = known.entry(state).or_insert_with(|| surface_joins(automaton, state)).clone();
             let Some(diagnostic) = self.not_a_surface(automaton, state, &verdict, at, &why) else { continue };
             good = false;
-            if !self.diagnostics.contains(&diagnostic) {
-                self.diagnostics.push(diagnostic);
-            }
+            said.push(state);
+            self.diagnostics.push(diagnostic);
         }
         good
     }

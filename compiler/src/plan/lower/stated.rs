@@ -92,6 +92,10 @@ impl Lowering<'_, '_> {
             let end = end.ok_or_else(|| missing(name, &states[piece].name, "boundary", *span))?;
             return Ok(Side::PieceEnd { transform, end });
         }
+        let member = format!("{first}.");
+        if state.transforms.iter().any(|transform| transform.name.starts_with(&member)) {
+            return Err(Box::new(family(*span)));
+        }
         let Some(boundary) = state.boundaries.iter().position(|boundary| boundary.name == *first) else {
             let end = end(first).filter(|_| second.is_none() && self.draws_segments(place));
             return end.map(Side::OwnEnd).ok_or_else(|| missing(first, &state.name, "boundary", *span));
@@ -196,6 +200,12 @@ impl Lowering<'_, '_> {
             Side::OwnEnd(_) => self.germ_span(state),
         }
     }
+}
+
+fn family(span: Span) -> Diagnostic {
+    let message = "a member of a family in a join is not available yet";
+    let diagnostic = Diagnostic::new(Code::E0001, span, message).label("a family of transforms");
+    diagnostic.hint("write the transforms that you join one by one")
 }
 
 fn several(name: &str, span: Span, target: &State) -> Diagnostic {

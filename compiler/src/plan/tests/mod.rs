@@ -1,11 +1,13 @@
 //! Tests of plans: checks, budgets, evaluation, addresses and the printed form.
 
 mod addresses;
+mod chains;
 mod checks;
 mod evaluation;
 mod patchworks;
 mod pieces;
 mod printed;
+mod swept;
 
 use super::{Dimension, FigurePlan, Plan, Shape, SheetPlan};
 use crate::ifs::tests::fixtures::*;

@@ -105,3 +105,15 @@ fn a_carpet_keeps_its_holes() {
     assert_eq!(faces, 64);
     assert_eq!(vertices as i64 - edges as i64 + faces as i64, 1 - 9);
 }
+
+#[test]
+fn the_printed_plan_says_what_is_shared() {
+    let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.5], [0.0, 1.0, 0.0]];
+    let (plan, _) = made(single_state(quad()), corners, 2);
+    let text = plan.to_string();
+    let line =
+        "figure patch: patchwork of state 0 at level 2, 4 pairs of edges proved to be shared: 16 elements\n";
+    assert!(text.ends_with(line), "{text}");
+    assert_eq!(crate::plan::budget::check(&plan, 16).unwrap()[0].elements, 16);
+    assert!(crate::plan::budget::check(&plan, 15).is_err());
+}

@@ -67,7 +67,8 @@ impl<'t> Tile<'t> {
     /// # Panics
     /// When there is none at this place.
     pub fn point(&self, place: usize) -> [f64; 3] {
-        self.axes.map(|axis| axis[place])
+        let [x, y, z] = self.axes;
+        [x[place], y[place], z[place]]
     }
 
     /// Writes the vertices of one element over `out`.
