@@ -217,7 +217,7 @@ fn every_code_is_explained() {
 #[test]
 fn a_misspelt_code_is_told_with_the_nearest() {
     for (misspelt, meant) in
-        [("EO101", "E0101"), ("E0841", "E0801"), ("E00814", "E0814"), ("0814", "E0814"), ("w307", "W0307")]
+        [("EO101", "E0101"), ("E0871", "E0801"), ("E00814", "E0814"), ("0814", "E0814"), ("w307", "W0307")]
     {
         let done = run(program().args(["explain", misspelt]));
         done.failed(2, &[&format!("there is no code `{misspelt}`"), &format!("did you mean `{meant}`?")]);

@@ -58,7 +58,7 @@ fn scale_below(
     at: Span,
 ) -> Option<Diagnostic> {
     let scales = rail_scales(automaton, swept)?;
-    let (vertex, scale) = scales.iter().enumerate().find(|(_, scale)| !(**scale > 0.0))?;
+    let (vertex, scale) = scales.iter().enumerate().find(|(_, scale)| **scale <= 0.0 || scale.is_nan())?;
     let message = format!("at vertex {vertex} of its rail the scale of `{figure}` is {scale:.4}");
     let diagnostic = Diagnostic::new(Code::E0521, at, message).label("a scale is above 0");
     Some(diagnostic.hint("bring the scales of neighbouring control points closer together"))
@@ -83,7 +83,7 @@ fn off_the_meridian(
         .fold(DVec3::ZERO, |far, arm| if arm.length() > far.length() { arm } else { far });
     let size = points.iter().map(|point| (*point - origin).length()).fold(0.0, f64::max);
     let tolerance = size * ROUNDING;
-    if let Some(place) = arms.iter().position(|arm| !(arm.length() > tolerance)) {
+    if let Some(place) = arms.iter().position(|arm| arm.length() <= tolerance) {
         return Some(on_the_axis(automaton, figure, place, points.len(), at));
     }
     let normal = axis.cross(farthest).normalize_or_zero();
