@@ -13,6 +13,7 @@ use ifs_compiler::hir::library_docs;
 use ifs_compiler::hir::native::natives;
 use ifs_compiler::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
 use ifs_compiler::syntax::ast::Unit;
+use ifs_tests::layout::Read;
 use ifs_tests::outcome::run;
 use ifs_tests::pages::{Block, blocks, runs, shows, with_block, with_section};
 use ifs_tests::{program, root, scratch};
@@ -46,10 +47,6 @@ fn printed(folder: &Path, command: &str) -> String {
 /// The terminals of a page that do not show what is printed, each with what should stand there.
 fn stale(page: &str, blocks: &[Block]) -> Vec<(Block, String)> {
     let folder = scratch(&page.replace('/', "-"));
-    for example in ["shell.ifs", "vault.ifs"] {
-        fs::create_dir_all(folder.join("examples")).unwrap();
-        fs::copy(root().join("examples").join(example), folder.join("examples").join(example)).unwrap();
-    }
     let mut stale = Vec::new();
     for block in blocks {
         if let (true, Some(file)) = (block.is_design(), &block.file) {
@@ -105,6 +102,27 @@ fn the_terminals_of_the_pages_show_what_is_printed() {
         }
     }
     assert!(seen > 10, "only {seen} commands are shown");
+    assert!(faults.is_empty(), "{}\nUPDATE=1 writes them anew", faults.join("\n"));
+}
+
+#[test]
+fn the_designs_of_the_pages_are_laid_out() {
+    let _held = hold();
+    let mut faults = Vec::new();
+    for page in [TUTORIAL, REFERENCE] {
+        let mut text = read(page);
+        let designs = blocks(&text).into_iter().filter(|block| block.is_design() && !block.has("loose"));
+        for block in designs.rev() {
+            let Some(now) = Read::new(&block.text).formatted().filter(|now| *now != block.text) else {
+                continue;
+            };
+            faults.push(format!("{page}:{} is not as `ifs fmt` lays it out", block.line));
+            text = with_block(&text, &block, &now);
+        }
+        if updates() {
+            fs::write(root().join(page), text).unwrap();
+        }
+    }
     assert!(faults.is_empty(), "{}\nUPDATE=1 writes them anew", faults.join("\n"));
 }
 
