@@ -103,7 +103,7 @@ fn the_examples_agree_with_scipy_and_geomdl() {
 
 /// Every ifs of `std.curves`, alone and in products, at several splits and levels.
 const DESIGN: &str = "
-use std.curves (bezier2, bezier3, bspline1, bspline2, bspline3, bspline4, bspline5, line)
+use std.curves (bezier, bezier2, bezier3, bspline1, bspline2, bspline3, bspline4, bspline5, line)
 use std.surfaces (tensor, sheet)
 
 let net = [[ (i * 0.7m, j * 1.1m + i * 0.1m, 0.8m * sin(35deg * i) * cos(25deg * j)) for j in 0..7 ] for i in 0..6]
@@ -115,6 +115,8 @@ figure late    = bezier3(t: 0.93) on ((0m, 0m), (0.5m, 2m), (3.5m, 2m), (4m, 0m)
 figure parabola = bezier2(t: 0.4) on ((0m, 0m), (1m, 3m), (4m, 0m)) at level 6
 figure chaikin = bspline2 on ((0m, 0m), (1m, 3m), (4m, 0m)) at level 6
 figure cubic   = bspline3 on ((0m, 0m, 0m), (1m, 3m, 1m), (4m, 0m, 2m), (5m, 5m, 0m)) at level 6
+figure quintic_arc = bezier(degree: 5, t: 0.4) on [(i * 1m, i * i * 0.2m) for i in 0..6] at level 4
+figure ninth   = bezier(degree: 9) on [(i * 1m, 1m * sin(40deg * i), 1m * cos(50deg * i)) for i in 0..10] at level 4
 figure polygon = bspline1 on ((0m, 0m), (1m, 3m)) at level 4
 figure quartic = bspline4 on ((0m, 0m, 0m), (1m, 3m, 1m), (4m, 0m, 2m), (5m, 5m, 0m), (7m, 1m, 1m)) at level 5
 figure quintic = bspline5 on ((0m, 0m), (1m, 3m), (4m, 0m), (5m, 5m), (7m, 1m), (9m, 0m)) at level 5
@@ -143,6 +145,8 @@ fn every_curve_of_the_library_agrees_at_every_split_and_level() {
         ("parabola", bezier(2, 0.4)),
         ("chaikin", BSPLINE2),
         ("cubic", BSPLINE3),
+        ("quintic_arc", bezier(5, 0.4)),
+        ("ninth", ("bezier", 9, None)),
         ("polygon", ("bspline", 1, None)),
         ("quartic", ("bspline", 4, None)),
         ("quintic", ("bspline", 5, None)),
@@ -175,7 +179,7 @@ fn every_curve_of_the_library_agrees_at_every_split_and_level() {
 
 /// Chains of windows, open and closed; closed nets; rational curves and surfaces.
 const ROUND: &str = "
-use std.curves (bezier2, bezier3, bspline2, bspline3, chain)
+use std.curves (bezier, bezier2, bezier3, bspline2, bspline3, chain)
 use std.surfaces (tensor, sheet)
 
 let c = sqrt(2) / 2

@@ -123,6 +123,7 @@ codes! {
     E0535 Error "a germ whose shape or measure is impossible",
     E0536 Error "arguments that make no map",
     E0537 Error "a transform of the plane or of space that continues with nothing",
+    E0538 Error "a list of control points that cannot be counted out",
     E0550 Error "an unknown measure after `until`",
     E0551 Error "`until` without a largest size",
     E0552 Error "no level fits between the smallest and the largest size",

@@ -139,7 +139,7 @@ pub struct Ifs {
     pub space: PointSpace,
     /// The names of its control points, whose slots follow the parameters'; in the plane and in space, of the points of
     /// its frame, which have no slots.
-    pub control_points: Vec<String>,
+    pub control_points: Vec<ControlPoint>,
     /// Its named points in order, each with its slot.
     pub lets: Vec<(LocalId, Expr)>,
     /// Its transforms in order.
@@ -169,6 +169,22 @@ pub struct Transform {
     pub image: Image,
 }
 
+/// A control point of an ifs, or a list of them; one slot of the frame.
+#[derive(Clone, Debug)]
+pub struct ControlPoint {
+    /// Its name.
+    pub name: String,
+    /// How many there are, for a list.
+    pub count: Option<Expr>,
+}
+
+impl Ifs {
+    /// How many control points it has, where that does not depend on its arguments.
+    pub fn fixed_points(&self) -> Option<usize> {
+        self.control_points.iter().all(|point| point.count.is_none()).then_some(self.control_points.len())
+    }
+}
+
 /// What a transform continues with, and where.
 #[derive(Clone, Debug)]
 pub enum Image {
@@ -176,7 +192,7 @@ pub enum Image {
     Points {
         /// The ifs it continues with.
         target: Expr,
-        /// The images of the target's control points.
+        /// The images of the target's control points, one by one; or one list of them.
         points: Vec<Expr>,
         /// Where the images stand.
         span: Span,

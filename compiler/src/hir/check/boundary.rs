@@ -44,21 +44,14 @@ impl Checker<'_> {
 
     fn boundary_points(&mut self, typed: &Ifs, name: &ast::Name, target: &Expr, given: usize, at: Span) {
         let (needed, ifs, declared) = match &target.kind {
-            ExprKind::SelfIfs(_) => (typed.control_points.len(), "self".to_owned(), None),
+            ExprKind::SelfIfs(_) => (typed.fixed_points(), "self".to_owned(), None),
             ExprKind::Ifs(id, _) => {
                 let item = &self.items[id.0 as usize];
-                let ast::ItemKind::Ifs(ast::Ifs { space: ast::Space::On(points, _), .. }) =
-                    &self.declared[id.0 as usize].item.kind
-                else {
-                    return;
-                };
-                (points.len(), item.name.clone(), Some(item.name_span))
+                (self.fixed_points(*id), item.name.clone(), Some(item.name_span))
             }
             _ => return,
         };
-        if needed == given {
-            return;
-        }
+        let Some(needed) = needed.filter(|needed| *needed != given) else { return };
         let (name, points) = (&name.text, if given == 1 { "point" } else { "points" });
         let message = format!(
             "`{ifs}` has {needed} control points, but the boundary `{name}` puts it on {given} {points}"

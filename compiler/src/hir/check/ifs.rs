@@ -2,7 +2,7 @@
 
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::tree::{Expr, ExprKind, Ifs, ItemId, ItemKind};
+use crate::hir::tree::{ControlPoint, Expr, ExprKind, Ifs, ItemId, ItemKind};
 use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
 use crate::syntax::ast;
@@ -23,21 +23,29 @@ impl Checker<'_> {
         for (field, parameter) in ifs.parameters.iter().zip(&parameters) {
             frame.declare(&field.name, parameter.ty.clone());
         }
+        let mut counts = Vec::new();
         for point in points {
-            if let Some(count) = &point.count {
-                let message = "lists of control points are not available yet";
-                self.report(Diagnostic::new(Code::E0001, count.span, message).label("how many there are"));
-                return ItemKind::Broken;
-            }
+            let count = point.count.as_ref().map(|count| self.expect(&mut frame, count, &Type::Int));
             self.refuse_twice(&frame, &point.name);
-            frame.declare(&point.name, Type::Point(PointSpace::Control));
+            counts.push(count);
+        }
+        for (point, count) in points.iter().zip(&counts) {
+            let ty = Type::Point(PointSpace::Control);
+            frame.declare(&point.name, if count.is_some() { Type::List(Box::new(ty)) } else { ty });
         }
         let mut typed = Ifs {
             parameters,
             space,
             control_points: match space.coordinates() {
-                Some(count) => FRAME[..=count].iter().map(|point| (*point).to_owned()).collect(),
-                None => points.iter().map(|point| point.name.text.clone()).collect(),
+                Some(count) => FRAME[..=count]
+                    .iter()
+                    .map(|name| ControlPoint { name: (*name).to_owned(), count: None })
+                    .collect(),
+                None => points
+                    .iter()
+                    .zip(counts)
+                    .map(|(point, count)| ControlPoint { name: point.name.text.clone(), count })
+                    .collect(),
             },
             lets: Vec::new(),
             transforms: Vec::new(),
@@ -104,18 +112,12 @@ impl Checker<'_> {
 
     pub(super) fn count_images(&mut self, typed: &Ifs, target: &Expr, given: usize, at: Span) {
         let (needed, name) = match &target.kind {
-            ExprKind::SelfIfs(_) => (typed.control_points.len(), "self".to_owned()),
-            ExprKind::Ifs(id, _) => match &self.items[id.0 as usize].kind {
-                ItemKind::Ifs(ifs) => (ifs.control_points.len(), self.items[id.0 as usize].name.clone()),
-                _ => match &self.declared[id.0 as usize].item.kind {
-                    ast::ItemKind::Ifs(ast::Ifs { space: ast::Space::On(points, _), .. }) => {
-                        (points.len(), self.items[id.0 as usize].name.clone())
-                    }
-                    _ => return,
-                },
-            },
+            ExprKind::SelfIfs(_) => (typed.fixed_points(), "self".to_owned()),
+            ExprKind::Ifs(id, _) => (self.fixed_points(*id), self.items[id.0 as usize].name.clone()),
             _ => return,
         };
+        // How many points a list of them has is known only with its arguments.
+        let Some(needed) = needed else { return };
         if needed == given {
             return;
         }
@@ -129,6 +131,16 @@ impl Checker<'_> {
             None => format!("{} are too many", given - needed),
         };
         self.report(diagnostic.hint(hint));
+    }
+
+    /// How many control points an ifs is declared on, where that does not depend on its arguments.
+    pub(super) fn fixed_points(&self, id: ItemId) -> Option<usize> {
+        match &self.declared[id.0 as usize].item.kind {
+            ast::ItemKind::Ifs(ast::Ifs { space: ast::Space::On(points, _), .. }) => {
+                points.iter().all(|point| point.count.is_none()).then_some(points.len())
+            }
+            _ => None,
+        }
     }
 
     fn complete(&mut self, ifs: &ast::Ifs, typed: &Ifs) {

@@ -61,11 +61,9 @@ impl Checker<'_> {
     fn count_points(&mut self, ifs: &Expr, given: usize, at: Span) {
         let ExprKind::Ifs(id, _) = &ifs.kind else { return };
         let ItemKind::Ifs(declared) = &self.items[id.0 as usize].kind else { return };
-        let needed = declared.control_points.len();
-        if needed == given {
-            return;
-        }
-        let names = declared.control_points.join(", ");
+        let Some(needed) = declared.fixed_points().filter(|needed| *needed != given) else { return };
+        let names: Vec<&str> = declared.control_points.iter().map(|point| point.name.as_str()).collect();
+        let names = names.join(", ");
         let item = &self.items[id.0 as usize];
         let (name, declared_at) = (item.name.clone(), item.name_span);
         let message = format!("`{name}` is placed on {needed} control points, but {given} are given");

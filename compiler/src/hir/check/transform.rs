@@ -33,9 +33,7 @@ impl Checker<'_> {
         stacker::maybe_grow(128 * 1024, 1024 * 1024, || match &value.kind {
             ast::ExprKind::Error => None,
             ast::ExprKind::Group(inner) => self.image(frame, typed, inner),
-            ast::ExprKind::On(target, placement) => {
-                self.image_on_points(frame, typed, (target, placement), value.span)
-            }
+            ast::ExprKind::On(target, placement) => self.image_on_points(frame, typed, (target, placement)),
             ast::ExprKind::If(condition, yes, no) => {
                 let condition = self.expect(frame, condition, &Type::Bool);
                 let (yes, no) = (self.image(frame, typed, yes), self.image(frame, typed, no));
@@ -54,19 +52,23 @@ impl Checker<'_> {
         frame: &mut Frame,
         typed: &Ifs,
         (target, placement): (&ast::Expr, &ast::Placement),
-        span: Span,
     ) -> Option<Image> {
         let target = self.expect(frame, target, &Type::Ifs);
-        let ast::Placement::Points(points, points_span) = placement else {
-            let message = "a transform lists the images of the control points in brackets";
-            let diagnostic = Diagnostic::new(Code::E0503, span, message).label("no list of points");
-            self.report(diagnostic.hint("write `self on (p, q, …)`"));
-            return None;
+        let points_span = match placement {
+            ast::Placement::Points(_, span) => span,
+            ast::Placement::Value(list) => &list.span,
         };
         if self.refuse_points(&target, *points_span) {
             return None;
         }
         let image = Type::Point(typed.space);
+        let points = match placement {
+            ast::Placement::Points(points, _) => points,
+            ast::Placement::Value(list) => {
+                let list = self.expect(frame, list, &Type::List(Box::new(image)));
+                return Some(Image::Points { target, points: vec![list], span: *points_span });
+            }
+        };
         let points: Vec<Expr> = points.iter().map(|point| self.expect(frame, point, &image)).collect();
         if points.iter().all(|point| point.ty != Type::Error) {
             self.count_images(typed, &target, points.len(), *points_span);

@@ -153,7 +153,7 @@ impl Evaluator<'_> {
 
     /// The segment between the two control points in the middle, which neighbouring windows of a net share.
     fn control_germ(&mut self, ifs: &Ifs, at: Span) -> Outcome<Drawn> {
-        let count = ifs.control_points.len();
+        let count = self.points.len();
         if ifs.space != PointSpace::Control || count < 2 {
             let message = match ifs.space {
                 PointSpace::Control => {

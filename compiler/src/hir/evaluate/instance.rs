@@ -1,6 +1,7 @@
 //! An ifs with its arguments worked out: the images of control points as rows of exact weights.
 
 use super::boundary::InstanceBoundary;
+use super::control_points::point_names;
 use super::germ::Drawn;
 use super::transform::Piece;
 use super::{Evaluator, Frame, Outcome, Stop, words};
@@ -24,8 +25,8 @@ pub struct InstanceBody {
     /// Whether a number in its weights is rounded, such as the cosine of most angles: then no proof holds for what was
     /// meant, only for the rounded numbers.
     pub rounded: bool,
-    /// How many control points it has, or points of its frame.
-    pub control_points: usize,
+    /// The names of its control points, or of the points of its frame.
+    pub points: Vec<String>,
     /// Its transforms in order.
     pub transforms: Vec<InstanceTransform>,
     /// What it draws at the last level.
@@ -64,6 +65,7 @@ pub struct InstanceTransform {
 
 /// The parts of an ifs while some of its weights may be functions of its parameters.
 struct Parts {
+    points: Vec<String>,
     pieces: Vec<Piece>,
     germ: Drawn,
     keep: Vec<Drawn>,
@@ -109,7 +111,7 @@ impl Evaluator<'_> {
         Ok(InstanceBody {
             space: ifs.space,
             rounded: self.rounded,
-            control_points: ifs.control_points.len(),
+            points: parts.points,
             transforms,
             germ: germ(parts.germ)?,
             keep: parts.keep.into_iter().map(germ).collect::<Outcome<Vec<InstanceGerm>>>()?,
@@ -136,8 +138,9 @@ impl Evaluator<'_> {
         if self.broken.contains(&instance.ifs) {
             return Err(Stop::Reported);
         }
-        let outer = std::mem::replace(&mut self.points, ifs.control_points.clone());
-        let outcome = self.parts_inside(instance, ifs);
+        let counts = self.point_counts(instance, ifs)?;
+        let outer = std::mem::replace(&mut self.points, point_names(ifs, &counts));
+        let outcome = self.parts_inside(instance, ifs, &counts);
         self.points = outer;
         if outcome.as_ref().is_err_and(|stop| *stop == Stop::Reported) {
             self.broken.insert(instance.ifs);
@@ -145,8 +148,8 @@ impl Evaluator<'_> {
         outcome
     }
 
-    fn parts_inside(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Parts> {
-        let mut frame = self.instance_frame(instance, ifs)?;
+    fn parts_inside(&mut self, instance: &Instance, ifs: &Ifs, counts: &[Option<usize>]) -> Outcome<Parts> {
+        let mut frame = self.instance_frame(instance, ifs, counts)?;
         let mut stop = None;
         for (slot, value) in &ifs.lets {
             match self.expr(&mut frame, value) {
@@ -180,7 +183,7 @@ impl Evaluator<'_> {
         for kept in &ifs.keep {
             keep.push(self.germ(&mut frame, ifs, (instance, &pieces), kept)?);
         }
-        Ok(Parts { pieces, germ, keep, boundaries })
+        Ok(Parts { points: self.points.clone(), pieces, germ, keep, boundaries })
     }
 
     /// All families of an ifs are empty. An ifs without any transform has been reported by the checker.
@@ -192,7 +195,32 @@ impl Evaluator<'_> {
         self.report(diagnostic.hint("let the range of the family have at least one number"))
     }
 
-    fn instance_frame(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Frame> {
+    fn instance_frame(&mut self, instance: &Instance, ifs: &Ifs, counts: &[Option<usize>]) -> Outcome<Frame> {
+        let mut frame = self.argument_frame(instance, ifs)?;
+        if ifs.space != PointSpace::Control {
+            return Ok(frame);
+        }
+        let all: usize = counts.iter().map(|count| count.unwrap_or(1)).sum();
+        let unit = |place: usize| {
+            let weights = (0..all).map(|other| if other == place { Scalar::one() } else { Scalar::zero() });
+            let terms = Terms::Weights(weights.collect());
+            Value::Combination(Arc::new(Combination { terms, weight: Scalar::one(), made: None }))
+        };
+        let mut next = 0;
+        for (entry, count) in counts.iter().enumerate() {
+            let places = next..next + count.unwrap_or(1);
+            next = places.end;
+            let value = match count {
+                Some(_) => Value::List(Arc::new(places.map(unit).collect())),
+                None => unit(places.start),
+            };
+            frame.set(LocalId((ifs.parameters.len() + entry) as u32), value);
+        }
+        Ok(frame)
+    }
+
+    /// A frame with the arguments in it.
+    pub(super) fn argument_frame(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Frame> {
         let mut frame = Frame::new(ifs.slots);
         frame.own_ifs = Some(instance.clone());
         for (index, (argument, parameter)) in instance.arguments.iter().zip(&ifs.parameters).enumerate() {
@@ -206,16 +234,6 @@ impl Evaluator<'_> {
                 other => other.clone(),
             };
             frame.set(LocalId(index as u32), value);
-        }
-        if ifs.space != PointSpace::Control {
-            return Ok(frame);
-        }
-        let count = ifs.control_points.len();
-        for point in 0..count {
-            let weights = (0..count).map(|other| if other == point { Scalar::one() } else { Scalar::zero() });
-            let terms = Terms::Weights(weights.collect());
-            let value = Combination { terms, weight: Scalar::one(), made: None };
-            frame.set(LocalId((ifs.parameters.len() + point) as u32), Value::Combination(Arc::new(value)));
         }
         Ok(frame)
     }

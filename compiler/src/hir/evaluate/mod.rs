@@ -4,6 +4,7 @@
 mod boundary;
 mod budget;
 mod combination;
+mod control_points;
 mod conversion;
 mod expression;
 mod germ;

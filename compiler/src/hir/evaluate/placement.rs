@@ -3,7 +3,7 @@
 use super::{Evaluator, Frame, MustJoin, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::placed::{Chain, ControlGrid, ControlList, Net, SweptPath};
-use crate::hir::tree::{Expr, ItemKind};
+use crate::hir::tree::Expr;
 use crate::hir::types::PointSpace;
 use crate::hir::value::{Figure, IfsValue, Instance, Level, Shape, Value};
 use crate::source::Span;
@@ -29,13 +29,6 @@ impl Evaluator<'_> {
         Ok(Value::Figure(Arc::new(Figure { shape, level: None, span })))
     }
 
-    fn control_points(&self, instance: &Instance) -> usize {
-        match &self.hir.item(instance.ifs).kind {
-            ItemKind::Ifs(ifs) => ifs.control_points.len(),
-            _ => 0,
-        }
-    }
-
     fn no_points(&mut self, instance: &Instance, at: Span) -> Stop {
         let space = self.instance_space(instance).words();
         let message = format!("an ifs {space} has no control points to be placed on");
@@ -48,7 +41,7 @@ impl Evaluator<'_> {
             return Err(self.no_points(instance, at));
         }
         let list = points.list().ok_or(Stop::Reported)?;
-        let needed = self.control_points(instance);
+        let needed = self.control_points(instance)?;
         if list.first().is_some_and(|first| first.list().is_some()) {
             let message = "a curve is placed on a list of control points, not on a grid";
             let diagnostic = Diagnostic::new(Code::E0510, at, message).label("a grid");
@@ -81,7 +74,7 @@ impl Evaluator<'_> {
     fn patch(&mut self, u: &Instance, v: &Instance, points: &Value, at: Span) -> Outcome<Shape> {
         let grid = self.net(points, at)?;
         let (rows, columns) = (grid.rows, grid.columns);
-        let needed = (self.control_points(u), self.control_points(v));
+        let needed = (self.control_points(u)?, self.control_points(v)?);
         if (rows, columns) != needed {
             let message = format!(
                 "this product is placed on a grid of {} by {} control points, but the grid is {rows} by {columns}",
@@ -109,7 +102,7 @@ impl Evaluator<'_> {
         };
         let grid = self.net(net, at)?;
         let (rows, columns) = (grid.rows, grid.columns);
-        let needed = (self.control_points(&u), self.control_points(&v));
+        let needed = (self.control_points(&u)?, self.control_points(&v)?);
         if rows < needed.0 || columns < needed.1 {
             let message = format!(
                 "a sheet needs a net of at least {} by {} control points, but this one is {rows} by {columns}",
@@ -143,7 +136,7 @@ impl Evaluator<'_> {
         let why = "a chain is a curve".to_owned();
         self.must_join.push(MustJoin { ifs: ifs.clone(), span: ifs_at, why });
         let list = points.list().ok_or(Stop::Reported)?;
-        let needed = self.control_points(ifs);
+        let needed = self.control_points(ifs)?;
         if list.len() < needed {
             let message =
                 format!("a chain needs at least {needed} control points, but there are {}", list.len());

@@ -1,7 +1,7 @@
 //! Transforms worked out: what each continues with, and the images of its control points as weights on the own ones.
 
 use super::map::frame_images;
-use super::{Evaluator, Frame, Outcome, Stop};
+use super::{Evaluator, Frame, Outcome, Stop, instance_name};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::map::Map;
@@ -140,19 +140,41 @@ impl Evaluator<'_> {
         let mut rows = Vec::new();
         let mut stop = None;
         for point in points {
-            let row = match self.expr(frame, point) {
-                Ok(Value::Combination(value)) => self.row(own, &value, Code::E0402, point.span),
-                Ok(_) => Err(Stop::Reported),
-                Err(stop) => Err(stop),
-            };
-            match row {
-                Ok(row) => rows.push(row),
-                Err(reason) => stop = Some(reason),
-            }
+            let outcome =
+                self.expr(frame, point).and_then(|value| self.rows(own, &value, point.span, &mut rows));
+            stop = outcome.err().or(stop);
         }
-        match stop {
-            Some(stop) => Err(stop),
-            None => Ok((instance, rows)),
+        if let Some(stop) = stop {
+            return Err(stop);
+        }
+        let needed = self.control_points(&instance)?;
+        if rows.len() != needed {
+            let name = instance_name(self.hir, &instance);
+            let message =
+                format!("`{name}` has {needed} control points, but the transform lists {}", rows.len());
+            let at = points
+                .first()
+                .map_or(target.span, |first| points.iter().fold(first.span, |at, point| at.to(point.span)));
+            let diagnostic =
+                Diagnostic::new(Code::E0503, at, message).label(format!("{} points", rows.len()));
+            return Err(self.report(diagnostic.hint("give one image for each control point")));
+        }
+        Ok((instance, rows))
+    }
+
+    /// The rows of a point, or of a list of points.
+    fn rows(&mut self, own: PointSpace, value: &Value, at: Span, rows: &mut Vec<Vec<Scalar>>) -> Outcome<()> {
+        match value {
+            Value::Combination(point) => {
+                let row = self.row(own, point, Code::E0402, at)?;
+                rows.push(row);
+                Ok(())
+            }
+            Value::List(list) => list.iter().try_for_each(|point| match point {
+                Value::Combination(_) => self.rows(own, point, at, rows),
+                _ => Err(Stop::Reported),
+            }),
+            _ => Err(Stop::Reported),
         }
     }
 

@@ -5,7 +5,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
-use crate::hir::tree::{ItemId, ItemKind};
+use crate::hir::tree::ItemId;
 use crate::ifs::{
     Automaton, Contraction, GermShape, Joins, OpenJoin, StateId, contraction, difference_norm, joins,
     windows_join,
@@ -249,11 +249,7 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn point_names(&self, state: StateId) -> Vec<String> {
-        let instance = self.states.instances.get(state.index());
-        match instance.map(|instance| &self.hir.item(instance.ifs).kind) {
-            Some(ItemKind::Ifs(ifs)) => ifs.control_points.clone(),
-            _ => Vec::new(),
-        }
+        self.states.body(state).map_or(Vec::new(), |body| body.points.clone())
     }
 
     pub(super) fn state_span(&self, state: StateId) -> Span {

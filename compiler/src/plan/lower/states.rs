@@ -18,6 +18,13 @@ pub(super) struct States {
     overflow: bool,
 }
 
+impl States {
+    /// What the ifs of a state comes to.
+    pub(super) fn body(&self, state: StateId) -> Option<&InstanceBody> {
+        self.bodies.get(state.index())?.as_ref()
+    }
+}
+
 impl Lowering<'_, '_> {
     /// The state of an ifs with its arguments, with every state it leads to; `None` after a report.
     pub(super) fn state(&mut self, instance: &Instance) -> Option<StateId> {
@@ -81,7 +88,7 @@ impl Lowering<'_, '_> {
             });
             let name = instance_name(self.hir, instance);
             let transforms = transforms.collect::<Option<Vec<Transform>>>()?;
-            let mut state = State::new(name, body.control_points, transforms, germ(&body.germ)?);
+            let mut state = State::new(name, body.points.len(), transforms, germ(&body.germ)?);
             state.space = match body.space {
                 PointSpace::Plane => StateSpace::Plane,
                 PointSpace::Space => StateSpace::Space,
