@@ -3,8 +3,8 @@
 //!
 //! A block that begins with three backticks and `ifs` is a design. Words after it say more: `wrong` shows a mistake,
 //! `name=value` sets a parameter, `vault.ifs` names the file that it shows, `more` adds to the last design of the page
-//! that is not wrong, `files` names files that are shown nowhere. A block `console` is what a terminal shows: commands
-//! after `$ `, and below each what it prints; a line `…` stands for any lines.
+//! that is not wrong, `files` names files that are shown nowhere, `loose` is not laid out. A block `console` is what a
+//! terminal shows: commands after `$ `, and below each what it prints; a line `…` stands for any lines.
 
 use std::fmt::Write;
 

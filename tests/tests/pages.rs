@@ -8,11 +8,12 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use ifs_compiler::diagnostic::Code;
-use ifs_compiler::hir::LIBRARY;
 use ifs_compiler::hir::dimension::Dimension;
+use ifs_compiler::hir::library_docs;
 use ifs_compiler::hir::native::natives;
 use ifs_compiler::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
 use ifs_compiler::syntax::ast::Unit;
+use ifs_tests::layout::Read;
 use ifs_tests::outcome::run;
 use ifs_tests::pages::{Block, blocks, runs, shows, with_block, with_section};
 use ifs_tests::{program, root, scratch};
@@ -46,10 +47,6 @@ fn printed(folder: &Path, command: &str) -> String {
 /// The terminals of a page that do not show what is printed, each with what should stand there.
 fn stale(page: &str, blocks: &[Block]) -> Vec<(Block, String)> {
     let folder = scratch(&page.replace('/', "-"));
-    for example in ["shell.ifs", "vault.ifs"] {
-        fs::create_dir_all(folder.join("examples")).unwrap();
-        fs::copy(root().join("examples").join(example), folder.join("examples").join(example)).unwrap();
-    }
     let mut stale = Vec::new();
     for block in blocks {
         if let (true, Some(file)) = (block.is_design(), &block.file) {
@@ -108,6 +105,27 @@ fn the_terminals_of_the_pages_show_what_is_printed() {
     assert!(faults.is_empty(), "{}\nUPDATE=1 writes them anew", faults.join("\n"));
 }
 
+#[test]
+fn the_designs_of_the_pages_are_laid_out() {
+    let _held = hold();
+    let mut faults = Vec::new();
+    for page in [TUTORIAL, REFERENCE] {
+        let mut text = read(page);
+        let designs = blocks(&text).into_iter().filter(|block| block.is_design() && !block.has("loose"));
+        for block in designs.rev() {
+            let Some(now) = Read::new(&block.text).formatted().filter(|now| *now != block.text) else {
+                continue;
+            };
+            faults.push(format!("{page}:{} is not as `ifs fmt` lays it out", block.line));
+            text = with_block(&text, &block, &now);
+        }
+        if updates() {
+            fs::write(root().join(page), text).unwrap();
+        }
+    }
+    assert!(faults.is_empty(), "{}\nUPDATE=1 writes them anew", faults.join("\n"));
+}
+
 /// A table of Markdown.
 fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
@@ -130,27 +148,13 @@ fn functions() -> String {
     table(&["function", "what it gives", "from"], rows)
 }
 
-/// The public items of the library: the first sentence of their documentation.
+/// The modules of the library and what they offer.
 fn library() -> String {
-    let mut rows = Vec::new();
-    for (module, text) in LIBRARY {
-        let mut docs: Vec<&str> = Vec::new();
-        for line in text.lines() {
-            if let Some(doc) = line.strip_prefix("///") {
-                docs.push(doc.trim());
-            } else if let Some(item) = line.strip_prefix("pub ") {
-                let name = item.split(' ').nth(1).unwrap().split(['(', ':']).next().unwrap();
-                let doc = docs.join(" ");
-                let sentence =
-                    doc.split_once(". ").map_or(doc.as_str(), |(first, _)| first).trim_end_matches('.');
-                rows.push(vec![format!("`{name}`"), sentence.to_owned(), format!("`std.{module}`")]);
-                docs.clear();
-            } else {
-                docs.clear();
-            }
-        }
-    }
-    table(&["item", "what it is", "from"], rows.into_iter())
+    let rows = library_docs().into_iter().map(|module| {
+        let items: Vec<String> = module.items.iter().map(|item| format!("`{}`", item.name)).collect();
+        vec![format!("`{}`", module.path()), module.summary(), items.join(" ")]
+    });
+    table(&["module", "what", "its items"], rows)
 }
 
 fn diagnostics() -> String {
