@@ -2,7 +2,7 @@
 //! doc comments. How it is printed is the caller's business, but for the one page of all.
 
 use super::library::LIBRARY;
-use super::native::{NATIVES, NativeDeclaration, Takes};
+use super::native::{NativeDeclaration, Takes, natives};
 use super::native_docs::native_docs;
 use super::types::Type;
 use crate::source::{FileId, Source};
@@ -68,7 +68,7 @@ fn module(name: &'static str, text: &str) -> ModuleDocs {
     let file = parse(&Source::new(FileId(0), name, text)).ast;
     let declared =
         file.items.iter().filter(|item| item.public.is_some()).filter_map(|item| declared(item, text));
-    let natives = NATIVES.iter().filter(|native| native.module == name).map(native);
+    let natives = natives().filter(|native| native.module == name).map(native);
     let mut items: Vec<ItemDocs> = declared.chain(natives).collect();
     items.sort_by(|a, b| a.name.cmp(&b.name));
     ModuleDocs { name, docs: file.docs.iter().map(|line| unindented(line)).collect(), items }
@@ -127,12 +127,15 @@ fn sentence(phrase: &str) -> String {
 /// What a parameter takes, as near as possible to how the language writes types.
 fn takes(takes: Takes) -> String {
     match (takes, takes.expected()) {
-        (Takes::Closed, _) => "u, v or both".to_owned(),
+        (Takes::Closed, _) => "u, v or uv".to_owned(),
         (_, Some(ty)) => type_name(&ty),
         (Takes::Quantity, _) => "Quantity".to_owned(),
         (Takes::QuantityOrList, _) => "Quantity or [Quantity]".to_owned(),
         (Takes::Quantities, _) => "[Quantity]".to_owned(),
         (Takes::List, _) => "[any]".to_owned(),
+        (Takes::Lists, _) => "[[any]]".to_owned(),
+        (Takes::Summands, _) => "[Quantity] or [Vector]".to_owned(),
+        (Takes::Plain, _) => "Quantity, Bool or Text".to_owned(),
         _ => "any".to_owned(),
     }
 }
@@ -140,7 +143,7 @@ fn takes(takes: Takes) -> String {
 fn type_name(ty: &Type) -> String {
     match ty {
         Type::List(element) => format!("[{}]", type_name(element)),
-        Type::Point(_) => "Point".to_owned(),
+        Type::Point(_) | Type::Weighted(_) => "Point".to_owned(),
         Type::Vector(_) => "Vector".to_owned(),
         Type::Ifs => "Ifs".to_owned(),
         Type::Int => "Int".to_owned(),

@@ -208,7 +208,7 @@ pub fn natives() -> impl Iterator<Item = &'static NativeDeclaration> {
 }
 
 /// The natives that make ifs, germs and figures, and the first ones of all.
-pub const NATIVES: &[NativeDeclaration] = &[
+const NATIVES: &[NativeDeclaration] = &[
     native(Native::Sin, "prelude", "sin", &[needs("angle", Takes::Angle)], "the sine of an angle"),
     native(Native::Cos, "prelude", "cos", &[needs("angle", Takes::Angle)], "the cosine of an angle"),
     native(Native::Tan, "prelude", "tan", &[needs("angle", Takes::Angle)], "the tangent of an angle"),

@@ -1,11 +1,15 @@
 //! What each function of the program gives, in words, with a short design that uses it. The designs are compiled by a
 //! test.
 
+mod figures;
+mod values;
+
 use super::native::Native;
 
 /// What a native gives and an example of it, where it has one.
 pub(super) fn native_docs(native: Native) -> Option<(&'static str, &'static str)> {
-    DOCS.iter().find(|(of, _, _)| *of == native).map(|(_, gives, example)| (*gives, *example))
+    let mut all = DOCS.iter().chain(figures::DOCS).chain(values::DOCS);
+    all.find(|(of, _, _)| *of == native).map(|(_, gives, example)| (*gives, *example))
 }
 
 const DOCS: &[(Native, &str, &str)] = &[
