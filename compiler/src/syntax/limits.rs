@@ -9,7 +9,7 @@ pub const MAX_NESTING: usize = 128;
 /// How deep a tree may become, brackets and chains of operators together.
 pub const MAX_DEPTH: u32 = 256;
 /// How many digits a number may have.
-pub const MAX_DIGITS: usize = 400;
+pub const MAX_DIGITS: usize = crate::exact::MAX_DECIMAL_DIGITS;
 /// The largest power of ten of a number, up and down.
 pub const MAX_EXPONENT: i64 = 300;
 /// How many diagnostics are collected from one file.

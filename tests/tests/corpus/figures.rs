@@ -23,9 +23,17 @@ fn ifs() -> Vec<Case> {
         case("a Bézier curve of degree 99", &[], bezier(100)),
         case(
             "weights of 360 digits",
-            &[],
+            &["E0104"],
             format!(
                 "use std.curves (bezier2)\nfigure f = bezier2(t: {digits}) on ((0m, 0m), (1m, 1m), (2m, 0m)) at level 9\n"
+            ),
+        ),
+        case(
+            "weights of 90 digits",
+            &[],
+            format!(
+                "use std.curves (bezier2)\nfigure f = bezier2(t: {}) on ((0m, 0m), (1m, 1m), (2m, 0m)) at level 9\n",
+                &digits[..92]
             ),
         ),
         case(
@@ -40,7 +48,7 @@ fn ifs() -> Vec<Case> {
         ),
         case(
             "a polynomial squared 40 times",
-            &[],
+            &["W0508"],
             two(
                 &format!("let s0 = t\n{}", lines(40, |i| format!("let s{} = s{i} * s{i} / 2", i + 1))),
                 "lerp(a, b, s40)",

@@ -38,6 +38,7 @@ fn space<'s>(expressions: &Expressions<'s>) -> Rule<'s, Space> {
         .whole
         .clone()
         .map(|count| count.expr)
+        .then_ignore(token(TokenKind::Comma).or_not())
         .delimited_by(token(TokenKind::OpenBracket), token(TokenKind::CloseBracket));
     let point =
         declared(Case::Snake).then(count.or_not()).map(|(name, count)| ControlPoint { name, count }).boxed();
