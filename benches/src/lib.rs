@@ -3,6 +3,7 @@
 // A benchmark that cannot build its design has nothing to measure.
 #![allow(clippy::expect_used)]
 
+pub mod large;
 pub mod pieces;
 
 use ifs_compiler::exact::Rational;

@@ -16,6 +16,23 @@ use std::collections::BTreeMap;
 
 type Planned = (FigurePlan, FigureSource);
 
+/// What was proved of states so far, each once however many figures stand on it.
+#[derive(Default)]
+struct Proofs {
+    pieces: BTreeMap<StateId, Joins>,
+    windows: BTreeMap<StateId, Joins>,
+}
+
+impl Proofs {
+    fn pieces(&mut self, automaton: &Automaton, state: StateId) -> Joins {
+        self.pieces.entry(state).or_insert_with(|| joins(automaton, state)).clone()
+    }
+
+    fn windows(&mut self, automaton: &Automaton, state: StateId) -> Joins {
+        self.windows.entry(state).or_insert_with(|| windows_join(automaton, state)).clone()
+    }
+}
+
 impl Lowering<'_, '_> {
     /// Warns of every ifs a figure stands on that is not proved to contract.
     pub(super) fn check_contraction(&mut self, automaton: &Automaton, figures: &[Planned]) {
@@ -71,19 +88,16 @@ impl Lowering<'_, '_> {
     /// Whether the pieces of every ifs are proved to meet where they must; a figure whose pieces need not, and do not,
     /// becomes one of separate pieces.
     pub(super) fn check_joins(&mut self, automaton: &Automaton, figures: &mut [Planned]) -> bool {
-        let mut known: BTreeMap<StateId, Joins> = BTreeMap::new();
+        let mut proofs = Proofs::default();
         let mut good = true;
         let uses = self.evaluator.must_join().to_vec();
         let mut said: Vec<(Span, StateId)> = Vec::new();
         for used in uses {
-            let Some(place) = self.states.instances.iter().position(|instance| *instance == used.ifs) else {
-                continue;
-            };
-            let state = StateId(place as u32);
+            let Some(state) = self.states.find(&used.ifs) else { continue };
             if automaton.state(state).germ.shape == GermShape::Polygon {
                 continue;
             }
-            let verdict = known.entry(state).or_insert_with(|| joins(automaton, state)).clone();
+            let verdict = proofs.pieces(automaton, state);
             let at = self.state_span(state);
             if !is_curve(automaton, state, &verdict) && !said.contains(&(at, state)) {
                 said.push((at, state));
@@ -93,7 +107,7 @@ impl Lowering<'_, '_> {
             }
         }
         for (figure, source) in figures {
-            good &= self.figure_joins(automaton, figure, source, &mut known, &said);
+            good &= self.figure_joins(automaton, figure, source, &mut proofs, &said);
         }
         good
     }
@@ -103,13 +117,13 @@ impl Lowering<'_, '_> {
         automaton: &Automaton,
         figure: &mut FigurePlan,
         source: &FigureSource,
-        known: &mut BTreeMap<StateId, Joins>,
+        proofs: &mut Proofs,
         said: &[(Span, StateId)],
     ) -> bool {
         let named = self.hir.item(source.item).name_span;
         match &figure.shape {
             Shape::Curve { state, points, level, dimension } => {
-                let verdict = known.entry(*state).or_insert_with(|| joins(automaton, *state)).clone();
+                let verdict = proofs.pieces(automaton, *state);
                 if is_curve(automaton, *state, &verdict) {
                     return true;
                 }
@@ -137,29 +151,29 @@ impl Lowering<'_, '_> {
             shape => {
                 let mut good = true;
                 for used in shape.uses().into_iter().filter(|used| used.has_neighbours(automaton)) {
-                    let verdict = windows_join(automaton, used.state);
-                    let instance = self.states.instances.get(used.state.index());
-                    // Of several uses of the ifs, the one in this figure.
-                    let uses = || self.evaluator.must_join().iter().filter(|at| Some(&at.ifs) == instance);
-                    let inside = |at: Span| {
-                        at.file == source.made.file
-                            && source.made.start <= at.start
-                            && at.end <= source.made.end
-                    };
-                    let place = uses().find(|place| inside(place.span)).or_else(|| uses().next());
-                    let at = place.map_or(named, |place| place.span);
-                    if verdict != Joins::Joined {
-                        let falls = if shape.is_curve() { "chain" } else { "sheet" };
-                        let diagnostic = self.open_windows(automaton, used.state, &verdict, falls, at);
-                        if !self.diagnostics.contains(&diagnostic) {
-                            self.diagnostics.push(diagnostic);
-                        }
-                        good = false;
+                    let verdict = proofs.windows(automaton, used.state);
+                    if verdict == Joins::Joined {
+                        continue;
                     }
+                    let at = self.place_of_use(used.state, source.made).unwrap_or(named);
+                    let falls = if shape.is_curve() { "chain" } else { "sheet" };
+                    let diagnostic = self.open_windows(automaton, used.state, &verdict, falls, at);
+                    if !self.diagnostics.contains(&diagnostic) {
+                        self.diagnostics.push(diagnostic);
+                    }
+                    good = false;
                 }
                 good
             }
         }
+    }
+
+    /// Where an ifs is named whose pieces must join: of several places, the one in this figure.
+    fn place_of_use(&self, state: StateId, made: Span) -> Option<Span> {
+        let instance = self.states.instances.get(state.index())?;
+        let uses = || self.evaluator.must_join().iter().filter(|used| used.ifs == *instance);
+        let inside = |at: Span| at.file == made.file && made.start <= at.start && at.end <= made.end;
+        uses().find(|used| inside(used.span)).or_else(|| uses().next()).map(|used| used.span)
     }
 
     fn open(

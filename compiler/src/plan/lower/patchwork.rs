@@ -22,8 +22,7 @@ impl Lowering<'_, '_> {
         let uses = self.evaluator.must_join().to_vec();
         let mut needed: Vec<(StateId, Span, String)> = Vec::new();
         for used in uses {
-            let place = self.states.instances.iter().position(|instance| *instance == used.ifs);
-            let Some(state) = place.map(|place| StateId(place as u32)) else { continue };
+            let Some(state) = self.states.find(&used.ifs) else { continue };
             if draws_polygons(automaton, state) {
                 needed.push((state, used.span, used.why));
             }

@@ -31,16 +31,11 @@ impl Lowering<'_, '_> {
     /// The boundaries of a state; every ifs they name has been entered.
     pub(super) fn boundaries(&self, body: &InstanceBody) -> Option<Vec<Boundary>> {
         let boundary = |boundary: &crate::hir::evaluate::InstanceBoundary| {
-            let target = self.place(&boundary.target)?;
+            let target = self.states.find(&boundary.target)?;
             let matrix = Matrix::from_rows(boundary.rows.clone()).ok()?;
             Some(Boundary { name: boundary.name.clone(), target, matrix })
         };
         body.boundaries.iter().map(boundary).collect()
-    }
-
-    fn place(&self, instance: &Instance) -> Option<StateId> {
-        let place = self.states.instances.iter().position(|known| known == instance)?;
-        Some(StateId(place as u32))
     }
 
     fn ifs_of(&self, state: usize) -> Option<&Ifs> {

@@ -3,18 +3,22 @@
 use super::Lowering;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::evaluate::{InstanceBody, InstanceGerm, instance_name};
+use crate::hir::tree::ItemId;
 use crate::hir::types::PointSpace;
 use crate::hir::value::{self, Instance};
 use crate::ifs::{
     Automaton, AutomatonError, Germ, GermShape, MAX_STATES, Matrix, State, StateId, StateSpace, Transform,
 };
 use crate::source::Span;
+use std::collections::BTreeMap;
 
 /// The states met so far.
 #[derive(Default)]
 pub(super) struct States {
     pub(super) instances: Vec<Instance>,
     pub(super) bodies: Vec<Option<InstanceBody>>,
+    /// The states of each ifs.
+    of_ifs: BTreeMap<ItemId, Vec<StateId>>,
     overflow: bool,
 }
 
@@ -22,6 +26,19 @@ impl States {
     /// What the ifs of a state comes to.
     pub(super) fn body(&self, state: StateId) -> Option<&InstanceBody> {
         self.bodies.get(state.index())?.as_ref()
+    }
+
+    /// The state of an ifs with its arguments, where it was met.
+    pub(super) fn find(&self, instance: &Instance) -> Option<StateId> {
+        let of_ifs = self.of_ifs.get(&instance.ifs)?;
+        of_ifs.iter().copied().find(|id| self.instances[id.index()] == *instance)
+    }
+
+    fn add(&mut self, instance: &Instance) -> StateId {
+        let id = StateId(self.instances.len() as u32);
+        self.instances.push(instance.clone());
+        self.of_ifs.entry(instance.ifs).or_default().push(id);
+        id
     }
 }
 
@@ -53,8 +70,8 @@ impl Lowering<'_, '_> {
     }
 
     fn enter(&mut self, instance: &Instance) -> Option<StateId> {
-        if let Some(known) = self.states.instances.iter().position(|known| known == instance) {
-            return Some(StateId(known as u32));
+        if let Some(known) = self.states.find(instance) {
+            return Some(known);
         }
         if self.states.instances.len() >= MAX_STATES {
             if !self.states.overflow {
@@ -72,8 +89,7 @@ impl Lowering<'_, '_> {
             }
             return None;
         }
-        self.states.instances.push(instance.clone());
-        Some(StateId(self.states.instances.len() as u32 - 1))
+        Some(self.states.add(instance))
     }
 
     /// The automaton of all states met; `None` after a report.
@@ -82,9 +98,9 @@ impl Lowering<'_, '_> {
         for (instance, body) in self.states.instances.iter().zip(&self.states.bodies) {
             let Some(body) = body else { return None };
             let transforms = body.transforms.iter().map(|transform| {
-                let target = self.states.instances.iter().position(|known| *known == transform.target)?;
+                let target = self.states.find(&transform.target)?;
                 let matrix = Matrix::from_rows(transform.rows.clone()).ok()?;
-                Some(Transform { name: transform.name.clone(), target: StateId(target as u32), matrix })
+                Some(Transform { name: transform.name.clone(), target, matrix })
             });
             let name = instance_name(self.hir, instance);
             let transforms = transforms.collect::<Option<Vec<Transform>>>()?;

@@ -150,3 +150,98 @@ fn no_lexeme_is_read_again_and_again() {
         assert!(steps <= 60 * tokens, "{part}: {steps} steps for {tokens} tokens");
     }
 }
+
+/// How many lexemes the grammar reads of a text.
+fn steps(text: &str) -> usize {
+    counted(&Source::new(FileId(0), "a.ifs", text)).1
+}
+
+/// Of twice as much text the grammar reads at most twice as many lexemes, and a few more. Gives how many of the shortest.
+fn linear(what: &str, of: impl Fn(usize) -> String) -> usize {
+    let counts: Vec<usize> = [1000, 2000, 4000].map(|size| steps(&of(size))).to_vec();
+    for pair in counts.windows(2) {
+        let most = 2 * pair[0] + pair[0] / 50 + 100;
+        assert!(pair[1] <= most, "{what}: {counts:?} steps for texts of one, two and four lengths");
+    }
+    counts[0]
+}
+
+/// The same, of texts of which the grammar reads enough to show anything.
+fn long_and_linear(what: &str, of: impl Fn(usize) -> String) {
+    let first = linear(what, of);
+    assert!(first >= 1000, "{what}: {first} steps are too few to show anything");
+}
+
+#[test]
+fn parsing_is_linear_in_long_files_of_each_item() {
+    for item in [
+        "use std.curves (bezier3, bspline3)\n",
+        "param span: Length = 6m in 4m .. 9m step 100mm\n",
+        "let net = [[(i * 1m, j * 1m, sin(30deg * i)) for j in 0..7] for i in 0..7 if i != 3]\n",
+        "fn rib(i: Int, h: Length = 2m) -> Curve = if i < 3 then bezier3(t: 1/2) on (a, b, c, d) at level 4 else e\n",
+        "record Bay { offset: Length, lean: Length = 0mm }\n",
+        "ifs arc(t: Number = 1/2) on (p, q, r) {\n let a = lerp(p, q, t)\n transform left = self on (p, a, r)\n germ segment(p, r)\n}\n",
+        "figure roof = sheet(bspline3, bspline3, net) at level (2, 3)\n",
+        "figure roof = sheet(bspline3, bspline3, net) until edge <= 300mm\n",
+        "fabricate roof as panels {\n material: birch_plywood(12mm)\n board: 2m by 1m\n require edge in 1mm .. 2m\n}\n",
+        "test \"it is\" {\n let a = len(roof.boards)\n assert a == 256 and all([b < 3 for b in roof.boards])\n}\n",
+        "/// What it is.\nlet a = 1 // a comment\n/* another */\n",
+    ] {
+        long_and_linear(item, |size| item.repeat(size / 10));
+    }
+}
+
+#[test]
+fn parsing_is_linear_in_long_lists_and_chains() {
+    for part in
+        ["1, ", "(1mm, 2mm), ", "f(a: 1), ", "[[1], [2]], ", "a + b * c - d, ", "if a then b else c, "]
+    {
+        long_and_linear(part, |size| format!("let a = [{}]", part.repeat(size)));
+    }
+    let long = |part: &str, count: usize| format!("let a = a{}\n", part.repeat(count));
+    for part in [" + a", " * a - b", " and a or b", ".a", "(a)", "[a]", " == a", " < a", " by a", " on (a)"] {
+        // As long as may be, again and again; and much longer than may be.
+        long_and_linear(part, |size| long(part, 50).repeat(size / 20));
+        linear(part, |size| long(part, size));
+    }
+}
+
+#[test]
+fn parsing_is_linear_where_brackets_are_as_deep_as_may_be() {
+    for (open, close) in
+        [("(", ")"), ("[", "]"), ("f(", ")"), ("[f(a: (", "))]"), ("if a then (", ") else b")]
+    {
+        let deep = 100 / open.matches(['(', '[']).count();
+        let nested = format!("let a = {}3{}\n", open.repeat(deep), close.repeat(deep));
+        long_and_linear(open, |size| nested.repeat(size / 50));
+    }
+}
+
+#[test]
+fn parsing_is_linear_in_broken_texts() {
+    for wrong in [
+        "let a = \n",
+        "let = 3\n",
+        "let a = [1 2 3, 4 5\n",
+        "let a = f(1, (2, [3)\n",
+        "fn f(a: , b) -> = 3\n",
+        "ifs a on (p { germ germ }\n",
+        "fabricate a as { b c: d e }\n",
+        "record A { b b }\n",
+        "} ) ] ",
+        "(((",
+        "{ a: 1\n",
+        "f(a b ",
+        "if a then ",
+        "not ",
+        "@ $ a ",
+        "let a = \"open\n",
+        "figure a b = c at at 3 until\n",
+        "test { assert } assert\n",
+        "use std. (a,, b\n",
+    ] {
+        long_and_linear(wrong, |size| format!("let b = 3\n{wrong}").repeat(size));
+        linear(wrong, |size| wrong.repeat(size));
+        linear(wrong, |size| format!("let a = {}", wrong.repeat(size)));
+    }
+}
