@@ -137,7 +137,7 @@ codes! {
     E0543 Error "a join of things that cannot be compared",
     E0544 Error "a stated join could not be proved",
     E0545 Error "a join leaves open which piece of a boundary is meant",
-    W0546 Warning "a stated join holds only to within rounding",
+    W0546 Warning "a join holds only to within rounding",
 
     // Values.
     E0601 Error "a parameter out of its range",

@@ -1,5 +1,6 @@
 //! Joins of segment germs (GEOMETRY 3): whether consecutive pieces of a curve meet end to start at every level, for all
-//! control points, by exact arithmetic on the weights.
+//! control points, by exact arithmetic on the weights. Where weights are rounded, a gap within rounding is told apart from
+//! both a join and an open one.
 //!
 //! With start_0, end_0 the germ's rows, the first vertex of the chain of level k+1 has the weights
 //! start_{k+1}(s) = start_k(target of the first transform)·T_first, and its last vertex likewise. Pieces i and i+1 meet at
@@ -23,6 +24,8 @@ const WORK_BUDGET: usize = 500_000;
 pub enum Joins {
     /// They do.
     Joined,
+    /// Their weights are rounded, and they meet to within [`ROUNDING`] at the levels looked at: the widest gap.
+    Rounded(OpenJoin),
     /// These two do not.
     Open(OpenJoin),
     /// A state that the figure leads to is not drawn as a segment, so it is no curve at all.
@@ -35,6 +38,13 @@ pub enum Joins {
         /// How many levels were looked at.
         levels: u32,
     },
+}
+
+impl Joins {
+    /// Whether pieces are one chain: exactly, or but for rounding.
+    pub fn hold(&self) -> bool {
+        matches!(self, Joins::Joined | Joins::Rounded(_))
+    }
 }
 
 /// Two consecutive pieces that do not meet.
@@ -52,6 +62,35 @@ pub struct OpenJoin {
     pub left_weights: Vec<Rational>,
     /// Weights of the right piece's start, on the same points.
     pub right_weights: Vec<Rational>,
+}
+
+impl OpenJoin {
+    /// The largest difference of two weights.
+    pub fn gap(&self) -> f64 {
+        largest(self.left_weights.iter().zip(&self.right_weights).map(|(left, right)| left - right))
+    }
+}
+
+/// Differences of weights up to this part of the largest weight around are put down to rounding.
+pub const ROUNDING: f64 = 1e-9;
+
+/// Whether two rows of weights on the points of `state` differ by no more than rounding explains: a number in the weights
+/// of the state, or of one it leads to, is rounded, and no difference exceeds [`ROUNDING`] times the largest weight of the
+/// rows and of the state's germ (at least 1; in plane and space weights are millimetres).
+///
+/// # Panics
+/// When the state is not of this automaton.
+pub fn is_rounding(automaton: &Automaton, state: StateId, left: &[Rational], right: &[Rational]) -> bool {
+    if !automaton.reachable(state).into_iter().any(|id| automaton.state(id).rounded) {
+        return false;
+    }
+    let germ = automaton.state(state).germ.vertices.iter().flatten();
+    let size = largest(germ.chain(left).chain(right).cloned()).max(1.0);
+    largest(left.iter().zip(right).map(|(left, right)| left - right)) <= ROUNDING * size
+}
+
+fn largest(weights: impl Iterator<Item = Rational>) -> f64 {
+    weights.map(|weight| weight.abs().to_f64()).fold(0.0, f64::max)
 }
 
 /// Whether all pieces of the curve of `state`, and of every state it leads to, meet end to start.
@@ -77,7 +116,7 @@ pub fn joins(automaton: &Automaton, state: StateId) -> Joins {
     let levels = pairs.iter().map(|(_, _, order)| *order).max().unwrap_or(0);
     ends.prove(levels, |ends, k| {
         let open = pairs.iter().filter(|(_, _, order)| k < *order);
-        open.map(|(id, right, _)| ends.transforms_apart(*id, *right, k)).find_map(|apart| apart)
+        open.filter_map(|(id, right, _)| ends.transforms_apart(*id, *right, k)).collect()
     })
 }
 
@@ -98,7 +137,7 @@ pub fn windows_join(automaton: &Automaton, state: StateId) -> Joins {
         let mut right_weights = vec![Rational::ZERO];
         right_weights.extend_from_slice(&ends.first[&state]);
         let apart = OpenJoin { state, left: 0, right: 1, level: k, left_weights, right_weights };
-        (apart.left_weights != apart.right_weights).then_some(apart)
+        if apart.left_weights == apart.right_weights { Vec::new() } else { vec![apart] }
     })
 }
 
@@ -108,6 +147,8 @@ struct Ends<'a> {
     first: BTreeMap<StateId, Vec<Rational>>,
     last: BTreeMap<StateId, Vec<Rational>>,
     work_left: usize,
+    /// The widest gap that is put down to rounding.
+    rounded: Option<OpenJoin>,
 }
 
 impl<'a> Ends<'a> {
@@ -119,22 +160,28 @@ impl<'a> Ends<'a> {
             first.insert(id, start.to_vec());
             last.insert(id, end.to_vec());
         }
-        Ok(Ends { automaton, first, last, work_left: WORK_BUDGET })
+        Ok(Ends { automaton, first, last, work_left: WORK_BUDGET, rounded: None })
     }
 
     /// Looks for a parting at the levels below `levels`, and says that there is none at any level.
-    fn prove(&mut self, levels: u32, apart: impl Fn(&Ends<'_>, u32) -> Option<OpenJoin>) -> Joins {
+    fn prove(&mut self, levels: u32, apart: impl Fn(&Ends<'_>, u32) -> Vec<OpenJoin>) -> Joins {
         for k in 0..levels {
-            if let Some(open) = apart(self, k) {
-                return Joins::Open(open);
+            for open in apart(self, k) {
+                if !is_rounding(self.automaton, open.state, &open.left_weights, &open.right_weights) {
+                    return Joins::Open(open);
+                }
+                let wider = |known: &OpenJoin| known.gap() < open.gap();
+                if self.rounded.as_ref().is_none_or(wider) {
+                    self.rounded = Some(open);
+                }
             }
             match self.step() {
                 Some(true) => {}
-                Some(false) => return Joins::Joined,
+                Some(false) => break,
                 None => return Joins::Unproved { levels: k + 1 },
             }
         }
-        Joins::Joined
+        self.rounded.take().map_or(Joins::Joined, Joins::Rounded)
     }
 
     /// One level deeper; whether anything changed, or `None` when the budget is spent.

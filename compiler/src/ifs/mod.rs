@@ -27,7 +27,7 @@ pub use contraction::{Contraction, Norm, WORD_BUDGET, contraction};
 pub use count::{Count, Drawn, count, drawn};
 pub use difference::difference_norm;
 pub use germ::{Germ, GermShape};
-pub use joins::{Joins, OpenJoin, joins, windows_join};
+pub use joins::{Joins, OpenJoin, ROUNDING, is_rounding, joins, windows_join};
 pub use matrix::{Matrix, MatrixError};
 pub use patch::{Adjacency, Patch, PieceEdge};
 pub use size_bound::{SizeBound, size_bound};

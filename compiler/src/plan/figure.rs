@@ -354,7 +354,7 @@ impl Plan {
 
     fn check_windows(&self, figure: &FigurePlan, state: StateId) -> Result<(), PlanError> {
         match windows_join(&self.automaton, state) {
-            Joins::Joined => Ok(()),
+            joins if joins.hold() => Ok(()),
             joins => Err(PlanError::NotJoined { figure: figure.to_string(), state, windows: true, joins }),
         }
     }
@@ -393,7 +393,7 @@ impl Plan {
 
     fn check_joined(&mut self, figure: &FigurePlan, state: StateId) -> Result<(), PlanError> {
         let known = self.joins.entry(state).or_insert_with(|| joins(&self.automaton, state));
-        if *known == Joins::Joined {
+        if known.hold() {
             return Ok(());
         }
         Err(PlanError::NotJoined { figure: figure.to_string(), state, windows: false, joins: known.clone() })

@@ -118,6 +118,9 @@ fn write_proofs(f: &mut fmt::Formatter<'_>, plan: &Plan, id: StateId, level: u32
     }
     match plan.joins().get(&id) {
         Some(Joins::Joined) => writeln!(f, "  joins proved: the pieces meet at every level"),
+        Some(Joins::Rounded(widest)) => {
+            writeln!(f, "  joins hold to within rounding: weights differ by at most {:.3e}", widest.gap())
+        }
         Some(Joins::Open(open)) => {
             let transforms = &automaton.state(open.state).transforms;
             let (left, right) = (&transforms[open.left].name, &transforms[open.right].name);

@@ -22,8 +22,10 @@ impl Checker<'_> {
     ) -> Vec<Option<Expr>> {
         let mut places: Vec<Option<&ast::Argument>> = vec![None; parameters.len()];
         let mut next = 0;
+        let mut misnamed = false;
         for argument in arguments {
             let Some(place) = self.place(what, parameters, argument, &mut next) else {
+                misnamed |= argument.name.is_some();
                 self.expr(frame, &argument.value, None);
                 continue;
             };
@@ -44,7 +46,8 @@ impl Checker<'_> {
             .filter(|(parameter, place)| parameter.required && place.is_none())
             .map(|(parameter, _)| parameter)
             .collect();
-        if !missing.is_empty() {
+        // A name that is not known is most likely the missing one: one mistake.
+        if !missing.is_empty() && !misnamed {
             self.missing(what, &missing, at);
         }
         let bound = parameters.iter().zip(places);

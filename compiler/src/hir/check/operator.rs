@@ -195,6 +195,20 @@ impl Checker<'_> {
         error_expr(span)
     }
 
+    /// Coordinates written right beside a comparison are a vector when the other side is one.
+    fn compared(&mut self, frame: &mut Frame, left: &ast::Expr, right: &ast::Expr) -> (Expr, Expr) {
+        let wanted = |other: &Expr| matches!(other.ty, Type::Vector(_)).then(|| other.ty.clone());
+        if matches!(left.kind, ast::ExprKind::Tuple(_)) {
+            let right = self.expr(frame, right, None);
+            let left = self.expr(frame, left, wanted(&right).as_ref());
+            return (left, right);
+        }
+        let left = self.expr(frame, left, None);
+        let vector = wanted(&left).filter(|_| matches!(right.kind, ast::ExprKind::Tuple(_)));
+        let right = self.expr(frame, right, vector.as_ref());
+        (left, right)
+    }
+
     fn compare(
         &mut self,
         frame: &mut Frame,
@@ -203,7 +217,7 @@ impl Checker<'_> {
         [left, right]: [&ast::Expr; 2],
         span: Span,
     ) -> Expr {
-        let (left, right) = (self.expr(frame, left, None), self.expr(frame, right, None));
+        let (left, right) = self.compared(frame, left, right);
         let equality = matches!(comparison, ast::Comparison::Equal | ast::Comparison::NotEqual);
         let fits = match (&left.ty, &right.ty) {
             (Type::Error, _) | (_, Type::Error) => true,

@@ -1,18 +1,20 @@
 //! What is proved of the states that figures stand on, said at the lines they come from: contraction and joins.
 
+use super::places::weights;
 use super::{FigureSource, Lowering};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::exact::Rational;
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
 use crate::hir::tree::ItemId;
 use crate::ifs::{
-    Automaton, Contraction, GermShape, Joins, OpenJoin, StateId, contraction, difference_norm, joins,
+    Automaton, Contraction, GermShape, Joins, StateId, StateSpace, contraction, difference_norm, joins,
     windows_join,
 };
 use crate::plan::figure::{Depth, FigurePlan, PiecesPlan, Shape};
 use crate::source::Span;
 use std::collections::BTreeMap;
+
+const ROUNDING_HINT: &str = "numbers such as `sqrt(3)` and most sines are rounded: all is well if the pieces are meant to meet; on control points, `on (…)`, such joins are exact";
 
 type Planned = (FigurePlan, FigureSource);
 
@@ -104,6 +106,8 @@ impl Lowering<'_, '_> {
                 good = false;
                 let diagnostic = self.open(automaton, state, &verdict, used.span, &used.why);
                 self.diagnostics.push(diagnostic);
+            } else {
+                self.warn_of_rounding(automaton, state, &verdict, used.span);
             }
         }
         for (figure, source) in figures {
@@ -125,6 +129,7 @@ impl Lowering<'_, '_> {
             Shape::Curve { state, points, level, dimension } => {
                 let verdict = proofs.pieces(automaton, *state);
                 if is_curve(automaton, *state, &verdict) {
+                    self.warn_of_rounding(automaton, *state, &verdict, named);
                     return true;
                 }
                 if said.iter().any(|(_, other)| other == state) {
@@ -156,6 +161,10 @@ impl Lowering<'_, '_> {
                         continue;
                     }
                     let at = self.place_of_use(used.state, source.made).unwrap_or(named);
+                    self.warn_of_rounding(automaton, used.state, &verdict, at);
+                    if verdict.hold() {
+                        continue;
+                    }
                     let falls = if shape.is_curve() { "chain" } else { "sheet" };
                     let diagnostic = self.open_windows(automaton, used.state, &verdict, falls, at);
                     if !self.diagnostics.contains(&diagnostic) {
@@ -216,14 +225,21 @@ impl Lowering<'_, '_> {
         if let (Some(first), Some(second)) =
             (self.transform_span(open.state, open.left), self.transform_span(open.state, open.right))
         {
-            let names = self.point_names(open.state);
-            diagnostic = diagnostic
-                .also(first, format!("ends at {}", weights(&open.left_weights, &names)))
-                .also(second, format!("starts at {}", weights(&open.right_weights, &names)));
+            let end = self.place_words(automaton, open.state, &open.left_weights);
+            let start = self.place_words(automaton, open.state, &open.right_weights);
+            diagnostic =
+                diagnostic.also(first, format!("ends at {end}")).also(second, format!("starts at {start}"));
         }
-        diagnostic = diagnostic.note(self.difference(open));
-        diagnostic
-            .hint(format!("give the last image of `{left}` and the first image of `{right}` the same point"))
+        let gap = self.gap_words(automaton, open.state, [&open.left_weights, &open.right_weights]);
+        diagnostic = diagnostic.note(format!("at level {} they are {gap} apart", open.level));
+        diagnostic.hint(match automaton.state(open.state).space {
+            StateSpace::Control => {
+                format!("give the last image of `{left}` and the first image of `{right}` the same point")
+            }
+            _ => format!(
+                "let the map of `{right}` take the start of the germ to where that of `{left}` takes its end, and write the transforms in the order along the curve"
+            ),
+        })
     }
 
     fn open_windows(
@@ -255,11 +271,22 @@ impl Lowering<'_, '_> {
         })
     }
 
-    fn difference(&self, open: &OpenJoin) -> String {
-        let apart = open.left_weights.iter().zip(&open.right_weights).map(|(left, right)| left - right);
-        let apart: Vec<Rational> = apart.collect();
-        let names = self.point_names(open.state);
-        format!("at level {} they are {} apart", open.level, weights(&apart, &names))
+    /// Says once of an ifs that its pieces are one curve but for rounding.
+    fn warn_of_rounding(&mut self, automaton: &Automaton, state: StateId, verdict: &Joins, at: Span) {
+        let Joins::Rounded(widest) = verdict else { return };
+        let own = self.state_span(state);
+        let span = if self.hir.is_library(own.file) { at } else { own };
+        if self.diagnostics.iter().any(|said| said.code == Code::W0546 && said.span == span) {
+            return;
+        }
+        let name = &automaton.state(state).name;
+        let gap = self.gap_words(automaton, widest.state, [&widest.left_weights, &widest.right_weights]);
+        let message = format!("the pieces of `{name}` meet only to within rounding, not exactly");
+        let diagnostic = Diagnostic::new(Code::W0546, span, message)
+            .label("taken as one curve")
+            .note(format!("where they meet they are at most {gap} apart at the first levels"))
+            .hint(ROUNDING_HINT);
+        self.diagnostics.push(diagnostic);
     }
 
     pub(super) fn point_names(&self, state: StateId) -> Vec<String> {
@@ -274,7 +301,7 @@ impl Lowering<'_, '_> {
 
 /// Whether a state of these joins is a curve: what it keeps on the way would be more than one.
 fn is_curve(automaton: &Automaton, state: StateId, verdict: &Joins) -> bool {
-    *verdict == Joins::Joined && keeping(automaton, state).is_none()
+    verdict.hold() && keeping(automaton, state).is_none()
 }
 
 /// The first state a figure leads to that keeps something.
@@ -291,23 +318,4 @@ fn roots(figures: &[Planned]) -> Vec<(StateId, ItemId)> {
         }
     }
     roots.into_iter().collect()
-}
-
-/// `1/2 p0 - 1/2 p1`
-pub(super) fn weights(weights: &[Rational], names: &[String]) -> String {
-    let mut words = String::new();
-    for (weight, name) in weights.iter().zip(names).filter(|(weight, _)| !weight.is_zero()) {
-        words.push_str(match (words.is_empty(), weight.is_negative()) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        });
-        let size = weight.abs();
-        if !size.is_one() {
-            words.push_str(&format!("{size} "));
-        }
-        words.push_str(name);
-    }
-    if words.is_empty() { "nothing".to_owned() } else { words }
 }

@@ -3,6 +3,7 @@
 
 mod joins;
 mod patchwork;
+mod places;
 mod shapes;
 mod soundness;
 mod stated;

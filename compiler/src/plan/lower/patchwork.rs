@@ -1,9 +1,7 @@
 //! Figures of polygons that share their edges: found, and reported where they must and do not.
 
-use super::joins::weights;
 use super::{FigureSource, Lowering};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::exact::Rational;
 use crate::hir::schema::SchemaKind;
 use crate::ifs::{Automaton, GermShape, OpenEdge, PieceEdge, StateId, SurfaceJoins, surface_joins};
 use crate::plan::figure::{FigurePlan, PatchworkPlan, Shape};
@@ -107,21 +105,20 @@ impl Lowering<'_, '_> {
             (transform.name.clone(), edge)
         };
         let ((left, left_edge), (right, right_edge)) = (piece(&open.left), piece(&open.right));
-        let names = self.point_names(open.state);
         let message = format!(
             "the pieces of `{name}` do not share their edges: `{left}`, corners {left_edge}, does not fit `{right}`, corners {right_edge}"
         );
-        let difference = open.left_weights.iter().zip(&open.right_weights).map(|(left, right)| left - right);
-        let difference: Vec<Rational> = difference.collect();
+        let gap = self.gap_words(automaton, open.state, [&open.left_weights, &open.right_weights]);
         let mut diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
         let sides = [(open.left.transform, &open.left_weights), (open.right.transform, &open.right_weights)];
         for (transform, row) in sides {
             if let Some(span) = self.transform_span(open.state, transform) {
-                diagnostic = diagnostic.also(span, format!("has a corner at {}", weights(row, &names)));
+                let corner = self.place_words(automaton, open.state, row);
+                diagnostic = diagnostic.also(span, format!("has a corner at {corner}"));
             }
         }
         diagnostic
-            .note(format!("at level {} they are {} apart", open.level, weights(&difference, &names)))
+            .note(format!("at level {} they are {gap} apart", open.level))
             .hint("give both pieces the same points along the edge; a `let` for a shared point makes sure")
     }
 }

@@ -1,19 +1,15 @@
 //! Boundaries and the joins that are stated of them: what their names stand for, and whether the joins hold.
 
 use super::Lowering;
-use super::joins::weights;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::exact::Rational;
 use crate::hir::evaluate::InstanceBody;
 use crate::hir::tree::{Ifs, ItemKind, Join};
 use crate::hir::value::{GermShape, Instance};
 use crate::ifs::{
-    Apart, Automaton, Boundary, End, Matrix, Side, State, StateId, Stated, StatedJoin, stated_join,
+    Apart, Automaton, Boundary, End, Matrix, Side, State, StateId, Stated, StatedJoin, is_rounding,
+    stated_join,
 };
 use crate::source::Span;
-
-/// Differences of weights below this are put down to rounding.
-const ROUNDING: f64 = 1e-12;
 
 type Path = [(String, Span)];
 
@@ -145,24 +141,18 @@ impl Lowering<'_, '_> {
         apart: &Apart,
     ) -> Diagnostic {
         let state = automaton.state(id);
-        let names = self.point_names(id);
         let (left, right) = (path_text(&join.left), path_text(&join.right));
         let rows = [(&left, &apart.left_weights), (&right, &apart.right_weights)];
-        let rows = rows.map(|(name, row)| format!("`{name}` lies at {}", weights(row, &names)));
-        let difference =
-            apart.left_weights.iter().zip(&apart.right_weights).map(|(left, right)| left - right);
-        let difference: Vec<Rational> = difference.collect();
-        let largest = apart.largest_difference().to_f64();
-        let by = format!("at level {} they are {} apart", apart.level, weights(&difference, &names));
-        let mut diagnostic = if largest <= ROUNDING {
+        let rows =
+            rows.map(|(name, row)| format!("`{name}` lies at {}", self.place_words(automaton, id, row)));
+        let gap = self.gap_words(automaton, id, [&apart.left_weights, &apart.right_weights]);
+        let by = format!("at level {} they are {gap} apart", apart.level);
+        let mut diagnostic = if is_rounding(automaton, id, &apart.left_weights, &apart.right_weights) {
             let message = format!(
                 "`{left}` and `{right}` of `{}` are joined only to within rounding, not exactly",
                 state.name
             );
-            let note = format!(
-                "at level {} two weights differ by {largest:.3e}, which is below the tolerance of {ROUNDING:e}; deeper levels are not proved",
-                apart.level
-            );
+            let note = format!("{by}, which rounding explains; deeper levels are not proved");
             Diagnostic::new(Code::W0546, join.span, message)
                 .label("equal but for rounding")
                 .note(note)

@@ -118,7 +118,7 @@ impl Scanner<'_, '_> {
             let found = Diagnostic::new(Code::E0102, span, format!("{} is not used here", printable(shown)));
             match first {
                 ';' => found.fix("line ends and `;` are not needed: leave it out", span, ""),
-                '%' => found.hint("a percentage is glued to its number: `50%`"),
+                '%' => found.hint("a percentage is glued to its number: `50%`; a remainder is `mod(a, b)`"),
                 '^' => found.hint("there is no `^`: multiply, or call a function"),
                 '!' => found.fix("the opposite of a condition is `not`", span, "not "),
                 '°' => found.hint("angles are written with the unit glued to the number: `35deg`"),
