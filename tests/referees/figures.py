@@ -78,8 +78,13 @@ def angle(first, second):
     return numpy.degrees(numpy.arctan2(sine, (first * second).sum(axis=-1)))
 
 
-def measure(quads):
-    """Edges, area, fold, planarity, diagonal and diagonal ratio of quads, n × 4 × 3."""
+# Folds over the two diagonals that are nearer than this, in rad, are the same in single precision.
+TIE = 1e-4
+
+
+def measure(quads, stated):
+    """Edges, area, fold, planarity, diagonal and diagonal ratio of quads, n × 4 × 3, split where they fold less; a quad
+    that folds as much over both diagonals is split along the one whose length is nearest to what is stated."""
     edges = numpy.roll(quads, -1, axis=1) - quads
     lengths = numpy.linalg.norm(edges, axis=-1)
     corner = numpy.cross(numpy.roll(edges, 1, axis=1), edges)
@@ -90,10 +95,11 @@ def measure(quads):
     )
     halves = numpy.linalg.norm(corner, axis=-1) / 2
     areas = numpy.stack([halves[:, 1] + halves[:, 3], halves[:, 0] + halves[:, 2]], axis=1)
-    split = folds.argmin(axis=1)
     rows = numpy.arange(len(quads))
     across = numpy.stack([quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1]], axis=1)
     diagonals = numpy.linalg.norm(across, axis=-1)
+    nearest = numpy.abs(diagonals - stated[:, None]).argmin(axis=1)
+    split = numpy.where(numpy.abs(folds[:, 0] - folds[:, 1]) < TIE, nearest, folds.argmin(axis=1))
     gap = ((quads[:, 1] - quads[:, 0]) * unit(numpy.cross(across[:, 0], across[:, 1]))).sum(-1)
     return {
         "edges": lengths,
@@ -123,7 +129,8 @@ def outline(edges, diagonal, split, grain):
 def check_panels(model, parts, rows, planarity):
     surfaces = {kind: [model.positions(p[0]).reshape(-1, 4, 3) for _, p in model.of_kind(kind)]
                 for kind in ("designed", "planarized")}
-    before, after = (measure(numpy.concatenate(surfaces[kind])) for kind in ("designed", "planarized"))
+    stated = numpy.array([float(row["diagonal_mm"]) for row in rows])
+    before, after = (measure(numpy.concatenate(surfaces[kind]), stated) for kind in ("designed", "planarized"))
     expect(len(planarity) == len(after["area"]) == len(parts), "not one quad, one row and one board each")
     by_address = {part["address"]: part for part in parts}
     for index, (part, row, flat) in enumerate(zip(parts, rows, planarity)):

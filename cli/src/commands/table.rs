@@ -42,6 +42,9 @@ fn fabrication(text: &mut String, made: &Fabrication) {
         Elements::Panels(panels) => panel_rows(text, &made.figure, panels),
         Elements::Planks(planks) => plank_rows(text, &made.figure, planks),
     }
+    if made.scale != 1.0 {
+        row(text, "  scale", &format!("{}, sizes are those of the model", scale_words(made.scale)));
+    }
     for requirement in &made.requirements {
         let limit = requirement.limit.words(requirement.measure);
         row(
@@ -50,6 +53,12 @@ fn fabrication(text: &mut String, made: &Fabrication) {
             &format!("{} {limit}: holds for {}", requirement.measure.words(), requirement.result.total),
         );
     }
+}
+
+/// The scale of a model: `1:20`, or the factor where it is no whole one.
+fn scale_words(scale: f64) -> String {
+    let whole = (1.0 / scale).round();
+    if (whole * scale - 1.0).abs() <= 1e-9 { format!("1:{whole}") } else { scale.to_string() }
 }
 
 fn panel_rows(text: &mut String, figure: &str, panels: &PanelsMade) {

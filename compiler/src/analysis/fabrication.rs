@@ -3,6 +3,7 @@
 mod panels;
 mod planks;
 mod refusals;
+mod scale;
 
 use super::measures;
 use super::placed::{FigureGeometry, figure_geometry};
@@ -26,7 +27,9 @@ use glam::DVec3;
 pub struct Fabrication {
     /// The figure's name.
     pub figure: String,
-    /// The boards or planks.
+    /// What its geometry was scaled by: 1 for the building, 1/20 for a model.
+    pub scale: f64,
+    /// The boards or planks, of the size they are made in.
     pub elements: Elements,
     /// Settings as worked out.
     pub settings: Vec<SettingValue>,
@@ -63,11 +66,11 @@ pub struct PanelsMade {
 pub struct PanelFigure {
     /// Its place in the plan.
     pub figure: usize,
-    /// As designed.
+    /// As designed, at the block's scale.
     pub designed: QuadMesh,
-    /// As it is built.
+    /// As it is built, at the block's scale.
     pub built: QuadMesh,
-    /// What planarizing did.
+    /// What planarizing did, before anything was scaled.
     pub outcome: Option<Outcome>,
     /// Whether its quads are planar by construction, and so never planarized.
     pub planar: bool,
@@ -93,7 +96,7 @@ pub struct PlanksMade {
 pub struct PlankFigure {
     /// Its place in the plan.
     pub figure: usize,
-    /// Its vertices; where it is closed the first is also the last.
+    /// Its vertices, at the block's scale; where it is closed the first is also the last.
     pub points: Vec<DVec3>,
     /// Whether it goes round.
     pub closed: bool,
@@ -108,7 +111,7 @@ pub(super) fn fabricate(
     plan: &Lowered,
     block: &Fabricate,
 ) -> (Option<Fabrication>, Vec<Diagnostic>) {
-    let mut work = Work { hir, plan, block, settings: Vec::new(), diagnostics: Vec::new() };
+    let mut work = Work { hir, plan, block, scale: 1.0, settings: Vec::new(), diagnostics: Vec::new() };
     let made = work.run(evaluator);
     (made, work.diagnostics)
 }
@@ -117,6 +120,7 @@ struct Work<'a> {
     hir: &'a Hir,
     plan: &'a Lowered,
     block: &'a Fabricate,
+    scale: f64,
     settings: Vec<SettingValue>,
     diagnostics: Vec<Diagnostic>,
 }
@@ -127,6 +131,7 @@ impl Work<'_> {
             let value = evaluator.in_block(&setting.value, self.block.slots, None).ok()?;
             self.settings.push((setting.name, value, setting.value.span));
         }
+        self.scale = self.scale_asked()?;
         let material = self.setting("material").map(|(_, value, _)| value.clone());
         let mut limits: Vec<LimitValue> = Vec::new();
         for requirement in &self.block.requirements {
@@ -151,7 +156,8 @@ impl Work<'_> {
         });
         let requirements = requirements.collect();
         let figure = self.hir.item(self.block.figure).name.clone();
-        Some(Fabrication { figure, elements, settings: std::mem::take(&mut self.settings), requirements })
+        let settings = std::mem::take(&mut self.settings);
+        Some(Fabrication { figure, scale: self.scale, elements, settings, requirements })
     }
 
     fn setting(&self, name: &str) -> Option<&SettingValue> {

@@ -4,7 +4,7 @@ use super::csv::{Cell, Table};
 use super::part::Part;
 
 /// The columns. Where the cut list of a plank has three lengths, the one between the end cuts on the axis comes first.
-pub const HEADERS: [&str; 30] = [
+pub const HEADERS: [&str; 31] = [
     "address",
     "alias",
     "figure",
@@ -35,6 +35,7 @@ pub const HEADERS: [&str; 30] = [
     "sheet",
     "files",
     "status",
+    "scale",
 ];
 
 /// The cut list of `parts`, in their order. Several files in a cell are parted by `; `. A board without a bend says
@@ -78,6 +79,7 @@ fn cells<'a>(part: &'a Part, files: &'a str) -> Vec<Cell<'a>> {
     cells.push(part.sheet.as_deref().map_or(Cell::Empty, Cell::Text));
     cells.push(Cell::Text(files));
     cells.push(Cell::Text(&part.status));
+    cells.push(Cell::Number(part.scale));
     cells
 }
 

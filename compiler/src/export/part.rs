@@ -18,6 +18,8 @@ pub struct Part {
     pub figure: String,
     /// The name of its material.
     pub material: String,
+    /// What the figure was scaled by: 1 for the building. The lengths here are those of what is made.
+    pub scale: Fixed,
     /// Of a board, along x of its outline; of a plank, on the axis.
     pub length_mm: Option<Fixed>,
     /// The shorter face of a plank.
@@ -61,7 +63,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// The figures of a board. Files, sheet and status are the caller's: empty, none and `made`.
+    /// The figures of a board. Scale, files, sheet and status are the caller's: 1, empty, none and `made`.
     #[must_use]
     pub fn of_panel(panel: &Panel, figure: &str, material: &str, grain: Grain) -> Self {
         let size = panel.size();
@@ -88,7 +90,7 @@ impl Part {
         }
     }
 
-    /// The figures of a plank. Files, sheet and status are the caller's: empty, none and `made`.
+    /// The figures of a plank. Scale, files, sheet and status are the caller's: 1, empty, none and `made`.
     #[must_use]
     pub fn of_plank(plank: &Plank, figure: &str, material: &str) -> Self {
         Self {
@@ -118,6 +120,7 @@ impl Part {
             alias: label.alias.clone(),
             figure: figure.to_owned(),
             material: material.to_owned(),
+            scale: Fixed::ratio(1.0),
             length_mm: None,
             inner_length_mm: None,
             outer_length_mm: None,

@@ -106,6 +106,9 @@ pub struct Fabrication {
     pub figure: String,
     /// `panels` or `planks`.
     pub kind: &'static str,
+    /// What the geometry was scaled by before anything was made of it: 1 for the building, 0.05 for a model of a
+    /// twentieth. All lengths below are those of what is made.
+    pub scale: Fixed,
     /// The material.
     pub material: MaterialReport,
     /// How many elements there were, and what became of them.

@@ -174,7 +174,12 @@ fn shop() -> Vec<Setting> {
     vec![
         library("address", "Engraving", false, "how the alias is engraved"),
         library("machine", "Machine", false, "the machine that cuts; without it no NC program is written"),
-        not_yet("scale", "a model of the building"),
+        setting(
+            "scale",
+            Type::Quantity(Dimension::NUMBER),
+            false,
+            "makes a model: the geometry is that much smaller, thickness and tools are not",
+        ),
         not_yet("nest", "nesting on sheets"),
     ]
 }

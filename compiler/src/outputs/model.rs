@@ -86,6 +86,10 @@ fn figure(analysis: &Analysis, item: ItemId) -> OwnedFigure {
             out.surfaces.push(OwnedSurface { address, designed, built: Some(built) });
             continue;
         }
+        if let Some(points) = out.made.as_ref().and_then(|made| made_curve(made, place)) {
+            out.curves.push((address, points.to_vec()));
+            continue;
+        }
         match figure_geometry(&lowered.plan, &lowered.plan.figures()[place]) {
             Some(FigureGeometry::Curve(points)) => out.curves.push((address, points)),
             Some(FigureGeometry::Surface(designed)) => {
@@ -109,6 +113,13 @@ fn built(made: &Fabrication, place: usize) -> Option<(QuadMesh, (QuadMesh, f64))
     let Elements::Panels(panels) = &made.elements else { return None };
     let figure = panels.figures.iter().find(|figure| figure.figure == place)?;
     Some((figure.designed.clone(), (figure.built.clone(), required(made, panels))))
+}
+
+/// The curve of a block at a place of the plan, at the block's scale.
+fn made_curve(made: &Fabrication, place: usize) -> Option<&[DVec3]> {
+    let Elements::Planks(planks) = &made.elements else { return None };
+    let figure = planks.figures.iter().find(|figure| figure.figure == place)?;
+    Some(&figure.points)
 }
 
 /// The planarity in the middle of the colour scale: what the block requires, else what planarizing aims at.

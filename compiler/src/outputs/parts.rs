@@ -2,6 +2,7 @@
 
 use super::names::safe_file_name;
 use crate::analysis::{Analysis, Elements, Fabrication};
+use crate::export::number::Fixed;
 use crate::export::part::Part;
 
 /// The parts of each fabricate block: made ones in order, then refused ones. `programs` says whether NC programs are
@@ -37,6 +38,9 @@ fn block(made: &Fabrication, programs: bool) -> Vec<Part> {
             let material = &planks.settings.material.name;
             Part::refused(&refused.label, figure, material, &refused.reason.to_string())
         })),
+    }
+    for part in &mut parts {
+        part.scale = Fixed::ratio(made.scale);
     }
     parts
 }

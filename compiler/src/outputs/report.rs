@@ -88,6 +88,7 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
     report::Fabrication {
         figure: made.figure.clone(),
         kind,
+        scale: Fixed::ratio(made.scale),
         material: MaterialReport {
             name: material.name.clone(),
             thickness_mm: material.thickness.map(Fixed::mm),

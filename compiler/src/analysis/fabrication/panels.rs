@@ -85,6 +85,7 @@ impl Work<'_> {
             .filter(|_| !planar)
             .map(|options| perturb(&designed, options, &mut |_| ControlFlow::Continue(())));
         let built = outcome.as_ref().map_or_else(|| designed.clone(), |outcome| outcome.mesh.clone());
+        let (designed, built) = (self.scaled_mesh(designed), self.scaled_mesh(built));
         match panels(&designed, &built, &labels, &made.settings) {
             Ok(done) => {
                 made.panels.extend(done.panels);

@@ -38,10 +38,11 @@ impl Work<'_> {
     }
 
     fn curve(&mut self, place: usize, figure: &FigurePlan, made: &mut PlanksMade) -> Option<()> {
-        let FigureGeometry::Curve(points) = self.geometry(figure)? else {
+        let FigureGeometry::Curve(mut points) = self.geometry(figure)? else {
             self.wrong_shape(figure, "surface", "panels");
             return None;
         };
+        self.scale_points(&mut points);
         let labels = segment_labels(&self.plan.plan, figure, points.len().saturating_sub(1));
         let closed = figure.shape.closed().0;
         let made_of = match closed {

@@ -28,6 +28,7 @@ fn report() -> Report {
     report.fabrications.push(Fabrication {
         figure: "shell".into(),
         kind: "panels",
+        scale: Fixed::ratio(1.0),
         material: MaterialReport {
             name: "plywood".into(),
             thickness_mm: Some(Fixed::mm(12.0)),
