@@ -129,6 +129,7 @@ codes! {
     E0552 Error "no level fits between the smallest and the largest size",
     E0553 Error "`each until` where elements are joined",
     E0554 Error "elements that have no such size",
+    E0555 Error "a mesh whose faces do not fit its points",
 
     // Boundaries and stated joins.
     E0540 Error "a join names what is not there",

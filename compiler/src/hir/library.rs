@@ -4,6 +4,8 @@
 pub const LIBRARY: &[(&str, &str)] = &[
     ("prelude", include_str!("../../../stdlib/prelude.ifs")),
     ("curves", include_str!("../../../stdlib/curves.ifs")),
+    ("plane", include_str!("../../../stdlib/plane.ifs")),
+    ("space", include_str!("../../../stdlib/space.ifs")),
     ("surfaces", include_str!("../../../stdlib/surfaces.ifs")),
     ("materials", include_str!("../../../stdlib/materials.ifs")),
     ("machines", include_str!("../../../stdlib/machines.ifs")),

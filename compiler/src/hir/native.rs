@@ -61,6 +61,7 @@ pub enum Native {
     Polygon,
     Quad,
     Strut,
+    Mesh,
     Chain,
     Weighted,
     Translation,
@@ -123,6 +124,8 @@ pub enum Takes {
     Whole,
     /// A list of plain numbers.
     Numbers,
+    /// A list of lists of whole numbers.
+    Faces,
 }
 
 impl Takes {
@@ -146,6 +149,7 @@ impl Takes {
             Takes::SpaceVector => Some(Type::Vector(PointSpace::Space)),
             Takes::Whole => Some(Type::Int),
             Takes::Numbers => Some(list(Type::NUMBER)),
+            Takes::Faces => Some(list(list(Type::Int))),
             Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
             Takes::Quantity
             | Takes::QuantityOrList
@@ -460,11 +464,17 @@ const NATIVES: &[NativeDeclaration] = &[
         &[needs("start", Takes::Point), needs("end", Takes::Point), needs("width", Takes::Length)],
         "the germ that draws a bar with a square section between two points",
     ),
+    native(
+        Native::Mesh,
+        "prelude",
+        "mesh",
+        &[needs("points", Takes::Points), needs("faces", Takes::Faces)],
+        "the germ that draws faces over points: each face lists its corners by their places, from 0",
+    ),
 ];
 
 /// Names that the language has but the program not yet, with the module they belong to.
-pub const LATER: &[(&str, &str)] =
-    &[("curves", "chord_fractal"), ("prelude", "import"), ("prelude", "plane"), ("prelude", "cut")];
+pub const LATER: &[(&str, &str)] = &[("prelude", "import"), ("prelude", "plane"), ("prelude", "cut")];
 
 impl Native {
     /// Its declaration.

@@ -49,4 +49,9 @@ const DOCS: &[(Native, &str, &str)] = &[
         "Surface",
         "use std.curves (bspline3)\nuse std.surfaces (sheet)\n\nlet net = [[(i * 1m, j * 1m, 0.2m * sin(60deg * i)) for j in 0..6] for i in 0..6]\nfigure roof = sheet(bspline3, bspline3, net) at level 2",
     ),
+    (
+        Native::Mesh,
+        "germ",
+        "ifs tent in space {\n    transform half = scale(1/2) * self\n    germ mesh(\n        [(0m, 0m, 0m), (2m, 0m, 0m), (0m, 2m, 0m), (0m, 0m, 2m)],\n        [[0, 1, 3], [1, 2, 3], [2, 0, 3]],\n    )\n}",
+    ),
 ];

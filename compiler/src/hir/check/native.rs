@@ -63,9 +63,12 @@ impl Checker<'_> {
             | Native::Scale
             | Native::Mirror
             | Native::Affine => self.map_type(native, &values, at),
-            Native::Point | Native::Segment | Native::Polygon | Native::Quad | Native::Strut => {
-                self.germ_type(frame, &values)
-            }
+            Native::Point
+            | Native::Segment
+            | Native::Polygon
+            | Native::Quad
+            | Native::Strut
+            | Native::Mesh => self.germ_type(frame, &values),
             _ => self.native_type(native, &values),
         };
         match ty {

@@ -13,6 +13,7 @@ mod limits;
 mod list;
 mod map;
 mod maths;
+mod mesh;
 mod native;
 mod operator;
 mod overrides;

@@ -33,6 +33,7 @@ impl Evaluator<'_> {
             Native::Point | Native::Segment | Native::Polygon | Native::Quad | Native::Strut => {
                 return self.germ_of(native, &values, arguments);
             }
+            Native::Mesh => return self.mesh_germ(&values, arguments),
             _ => {}
         }
         let value = match (native, values.as_slice()) {
