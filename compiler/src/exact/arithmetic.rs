@@ -7,6 +7,7 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{CheckedAdd, CheckedMul, CheckedSub, Pow};
 
 use super::rational::{Form, MAX_BITS, Rational};
+use super::small;
 
 /// Why an operation on exact numbers has no result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,12 +74,12 @@ impl Rational {
 }
 
 macro_rules! operator {
-    ($operator:ident, $method:ident, $checked:path) => {
+    ($operator:ident, $method:ident, $short:path, $checked:path) => {
         impl<'a> $operator<&'a Rational> for &'a Rational {
             type Output = Rational;
             fn $method(self, other: &Rational) -> Rational {
                 if let (Form::Small(a), Form::Small(b)) = (&self.0, &other.0)
-                    && let Some(result) = $checked(a, b)
+                    && let Some(result) = $short(a, b).or_else(|| $checked(a, b))
                 {
                     return Rational::from_small(result);
                 }
@@ -112,9 +113,9 @@ macro_rules! by_value {
     };
 }
 
-operator!(Add, add, CheckedAdd::checked_add);
-operator!(Sub, sub, CheckedSub::checked_sub);
-operator!(Mul, mul, CheckedMul::checked_mul);
+operator!(Add, add, small::sum, CheckedAdd::checked_add);
+operator!(Sub, sub, small::difference, CheckedSub::checked_sub);
+operator!(Mul, mul, small::product, CheckedMul::checked_mul);
 by_value!(Div, div);
 
 /// Division by a divisor known not to be 0; [`Rational::checked_div`] is the one for what a user wrote.

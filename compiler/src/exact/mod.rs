@@ -9,6 +9,7 @@ mod format;
 mod polynomial;
 mod rational;
 mod rational_function;
+mod small;
 
 pub use arithmetic::ArithmeticError;
 pub use decimal::{DecimalError, MAX_DECIMAL_DIGITS, MAX_DECIMAL_EXPONENT};

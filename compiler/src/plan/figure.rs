@@ -133,6 +133,7 @@ pub struct Plan {
     automaton: Automaton,
     figures: Vec<FigurePlan>,
     joins: BTreeMap<StateId, Joins>,
+    windows: BTreeMap<StateId, Joins>,
     surfaces: BTreeMap<StateId, SurfaceJoins>,
 }
 
@@ -249,8 +250,13 @@ impl Plan {
     /// # Errors
     /// The first [`PlanError`] in the order of figures.
     pub fn try_new(automaton: Automaton, figures: Vec<FigurePlan>) -> Result<Plan, PlanError> {
-        let mut plan =
-            Plan { automaton, figures: Vec::new(), joins: BTreeMap::new(), surfaces: BTreeMap::new() };
+        let mut plan = Plan {
+            automaton,
+            figures: Vec::new(),
+            joins: BTreeMap::new(),
+            windows: BTreeMap::new(),
+            surfaces: BTreeMap::new(),
+        };
         for figure in figures {
             plan.check(&figure)?;
             plan.figures.push(figure);
@@ -352,11 +358,12 @@ impl Plan {
         if chain.closed || found > expected { self.check_windows(figure, chain.state) } else { Ok(()) }
     }
 
-    fn check_windows(&self, figure: &FigurePlan, state: StateId) -> Result<(), PlanError> {
-        match windows_join(&self.automaton, state) {
-            joins if joins.hold() => Ok(()),
-            joins => Err(PlanError::NotJoined { figure: figure.to_string(), state, windows: true, joins }),
+    fn check_windows(&mut self, figure: &FigurePlan, state: StateId) -> Result<(), PlanError> {
+        let known = self.windows.entry(state).or_insert_with(|| windows_join(&self.automaton, state));
+        if known.hold() {
+            return Ok(());
         }
+        Err(PlanError::NotJoined { figure: figure.to_string(), state, windows: true, joins: known.clone() })
     }
 
     fn check_sheet(
