@@ -183,7 +183,9 @@ mod tests {
     fn names_and_exponents() {
         assert_eq!(Dimension::LENGTH.times(Dimension::LENGTH).unwrap().name(), "Area");
         assert_eq!(Dimension::LENGTH.over(dimension(0, 0, 1, 0)).unwrap().name(), "Speed");
-        assert_eq!(dimension(1, 1, -2, 0).name(), "mm kg/(s^2)");
+        assert_eq!(dimension(1, 1, -2, 0).name(), "mm kg/s^2");
+        assert_eq!(dimension(-1, 0, 0, 0).name(), "1/mm");
+        assert_eq!(dimension(0, 1, -2, -1).name(), "kg/(s^2 rad)");
         assert_eq!(dimension(2, 0, 0, 0).root(), Some(Dimension::LENGTH));
         assert_eq!(Dimension::LENGTH.root(), None);
     }
