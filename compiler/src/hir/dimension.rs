@@ -56,6 +56,11 @@ impl Dimension {
         NAMED.iter().map(|(name, _)| *name)
     }
 
+    /// Whether it has a name of its own, such as `Area`.
+    pub fn is_named(self) -> bool {
+        NAMED.iter().any(|(_, known)| *known == self)
+    }
+
     /// Its name, or its exponents (`mm^2/s`) where it has none.
     pub fn name(self) -> String {
         if let Some((name, _)) = NAMED.iter().find(|(_, known)| *known == self) {
@@ -74,8 +79,11 @@ impl Dimension {
         };
         match (side(1), side(-1)) {
             (over, under) if under.is_empty() => over,
-            (over, under) if over.is_empty() => format!("1/({under})"),
-            (over, under) => format!("{over}/({under})"),
+            (over, under) => {
+                let over = if over.is_empty() { "1" } else { &over };
+                let single = !under.contains(' ');
+                if single { format!("{over}/{under}") } else { format!("{over}/({under})") }
+            }
         }
     }
 
@@ -175,7 +183,9 @@ mod tests {
     fn names_and_exponents() {
         assert_eq!(Dimension::LENGTH.times(Dimension::LENGTH).unwrap().name(), "Area");
         assert_eq!(Dimension::LENGTH.over(dimension(0, 0, 1, 0)).unwrap().name(), "Speed");
-        assert_eq!(dimension(1, 1, -2, 0).name(), "mm kg/(s^2)");
+        assert_eq!(dimension(1, 1, -2, 0).name(), "mm kg/s^2");
+        assert_eq!(dimension(-1, 0, 0, 0).name(), "1/mm");
+        assert_eq!(dimension(0, 1, -2, -1).name(), "kg/(s^2 rad)");
         assert_eq!(dimension(2, 0, 0, 0).root(), Some(Dimension::LENGTH));
         assert_eq!(Dimension::LENGTH.root(), None);
     }

@@ -129,6 +129,11 @@ impl Checker<'_> {
                     diagnostic.hint("divide by a unit, such as `/ 1mm`, to get a plain number")
                 }))
             }
+            Type::Quantity(needed) if value.ty.dimension() == Dimension::NUMBER.over(*needed) => {
+                Some(Box::new(|diagnostic| {
+                    diagnostic.hint("a unit belongs to the number before it: `1/3m` is one by 3m, a third of a metre is `1m / 3`")
+                }))
+            }
             Type::Int if plain => {
                 Some(Box::new(|diagnostic| diagnostic.hint("use a whole number, or `round(…)`")))
             }

@@ -124,6 +124,9 @@ impl Checker<'_> {
                 return error_expr(span);
             }
         };
+        if !parts.is_empty() && parts.iter().all(is_plain_number) {
+            return self.plain_coordinates(parts, span);
+        }
         let lengths: Vec<Expr> = parts.iter().map(|part| self.expect(frame, part, &Type::LENGTH)).collect();
         if lengths.iter().any(|length| length.ty == Type::Error) {
             return error_expr(span);
@@ -132,6 +135,15 @@ impl Checker<'_> {
             Some(Type::Vector(_)) => Expr { kind: ExprKind::Vector(lengths), ty: Type::Vector(space), span },
             _ => Expr { kind: ExprKind::Point(lengths), ty: Type::Point(space), span },
         }
+    }
+
+    /// `(0, 1)`: however many numbers lack their unit, it is one mistake.
+    fn plain_coordinates(&mut self, parts: &[ast::Expr], span: Span) -> Expr {
+        let message = "the coordinates of a point are Lengths, but these are numbers without a unit";
+        let diagnostic = Diagnostic::new(Code::E0401, span, message).label("numbers without a unit");
+        let example = if parts.len() == 2 { "(0m, 1.5m)" } else { "(0m, 1.5m, 200mm)" };
+        self.report(diagnostic.hint(format!("add units, such as `{example}`")));
+        error_expr(span)
     }
 
     fn condition(
@@ -159,5 +171,14 @@ impl Checker<'_> {
         let parts = [condition, yes, no].map(Box::new);
         let [condition, yes, no] = parts;
         Expr { kind: ExprKind::If(condition, yes, no), ty, span }
+    }
+}
+
+/// A number as it is written, with a sign or without.
+fn is_plain_number(part: &ast::Expr) -> bool {
+    match &part.kind {
+        ast::ExprKind::Number { unit, .. } => unit.is_none(),
+        ast::ExprKind::Unary(ast::UnaryOperator::Negate, inner) => is_plain_number(inner),
+        _ => false,
     }
 }

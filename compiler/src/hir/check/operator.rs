@@ -73,7 +73,9 @@ impl Checker<'_> {
             let difference = arithmetic == Arithmetic::Subtract && matches!(expected, Some(Type::Vector(_)));
             self.additive_sides(frame, left, right, difference)
         } else {
-            (self.expr(frame, left, None), self.expr(frame, right, None))
+            let vector = expected.filter(|ty| matches!(ty, Type::Vector(_)));
+            let wanted = |side: &ast::Expr| vector.filter(|_| matches!(side.kind, ast::ExprKind::Tuple(_)));
+            (self.expr(frame, left, wanted(left)), self.expr(frame, right, wanted(right)))
         };
         if self.refuse_map_of_ifs(&left, &right) {
             return error_expr(span);

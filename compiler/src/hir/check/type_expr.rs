@@ -74,6 +74,9 @@ impl Checker<'_> {
         match ty {
             Type::Int => "a whole number".to_owned(),
             Type::Quantity(Dimension::NUMBER) => "a number without a unit".to_owned(),
+            Type::Quantity(dimension) if !dimension.is_named() => {
+                format!("a quantity in {}", dimension.name())
+            }
             Type::Bool => "true or false".to_owned(),
             Type::Point(space) => space.thing("point"),
             Type::Vector(space) => space.thing("vector"),

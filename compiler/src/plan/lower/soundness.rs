@@ -94,13 +94,24 @@ fn off_the_meridian(
         .enumerate()
         .fold((0, 0.0), |worst, (place, off)| if off > worst.1 { (place, off) } else { worst });
     if deviation <= tolerance {
-        return None;
+        return across_the_axis(figure, &arms, at);
     }
     let message = format!(
         "the profile of `{figure}` does not lie in a plane with its axis: vertex {place} is {deviation:.3} mm beside it"
     );
     let diagnostic = Diagnostic::new(Code::E0522, at, message).label("its quads would not be planar");
     Some(diagnostic.hint("move the control points of the profile into one plane through the axis"))
+}
+
+fn across_the_axis(figure: &FigurePlan, arms: &[DVec3], at: Span) -> Option<Diagnostic> {
+    let place = arms.windows(2).position(|pair| pair[0].dot(pair[1]) < 0.0)?;
+    let message =
+        format!("the profile of `{figure}` crosses its axis between the vertices {place} and {}", place + 1);
+    let diagnostic = Diagnostic::new(Code::E0522, at, message).label("its quads would cross themselves");
+    Some(
+        diagnostic
+            .hint("move the axis or the control points of the profile, so that all of it lies on one side"),
+    )
 }
 
 fn on_the_axis(

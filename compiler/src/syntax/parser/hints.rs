@@ -36,6 +36,7 @@ const ITEM_WORDS: &[&str] =
 pub(super) fn add(diagnostic: Diagnostic, scene: &Scene<'_>) -> Diagnostic {
     let rules: &[fn(&Scene<'_>) -> Option<Way>] = &[
         glued_unit,
+        size_by,
         other_equals,
         foreign_word,
         misspelt,
@@ -86,6 +87,16 @@ fn glued_unit(scene: &Scene<'_>) -> Option<Way> {
         return None;
     }
     change(format!("a unit is glued to its number: `{}{}`", number.text, word.text), gap, "")
+}
+
+/// `120mm x 27mm`
+fn size_by(scene: &Scene<'_>) -> Option<Way> {
+    let (_, span) = scene.found.filter(|(found, _)| found.text == "x")?;
+    let number = |placed| matches!(kind(placed), Some(TokenKind::Number(Some(_))));
+    if !(number(scene.before) && number(scene.after)) {
+        return None;
+    }
+    change("a size is written with `by`: `120mm by 27mm`", span, "by")
 }
 
 /// `==` for `=`, `=` for `==` or `:`, `:=`
