@@ -116,16 +116,22 @@ fn parts(report: &Value) -> Vec<&Value> {
 
 #[test]
 fn foreign_programs_take_every_file() {
-    for (referee, judge) in REFEREES {
-        let mut judged = 0;
-        for built in built() {
-            let Some(verdict) = judge(built) else { continue };
-            println!("{}, {referee}: {}", built.name, verdict.counts);
-            assert!(verdict.good, "{}, {referee}:\n{}", built.name, verdict.faults);
-            judged += 1;
+    std::thread::scope(|scope| {
+        for (referee, judge) in REFEREES {
+            scope.spawn(move || judge_all(referee, *judge));
         }
-        assert!(judged >= CUT.len(), "{referee} has seen {judged} examples only");
+    });
+}
+
+fn judge_all(referee: &str, judge: Referee) {
+    let mut judged = 0;
+    for built in built() {
+        let Some(verdict) = judge(built) else { continue };
+        println!("{}, {referee}: {}", built.name, verdict.counts);
+        assert!(verdict.good, "{}, {referee}:\n{}", built.name, verdict.faults);
+        judged += 1;
     }
+    assert!(judged >= CUT.len(), "{referee} has seen {judged} examples only");
 }
 
 #[test]
