@@ -7,6 +7,7 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("plane", include_str!("../../../stdlib/plane.ifs")),
     ("space", include_str!("../../../stdlib/space.ifs")),
     ("surfaces", include_str!("../../../stdlib/surfaces.ifs")),
+    ("roofs", include_str!("../../../stdlib/roofs.ifs")),
     ("materials", include_str!("../../../stdlib/materials.ifs")),
     ("machines", include_str!("../../../stdlib/machines.ifs")),
     ("boards", include_str!("../../../stdlib/boards.ifs")),
