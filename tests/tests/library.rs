@@ -6,6 +6,7 @@
 use std::fs;
 
 use ifs_compiler::analysis::{analyse, run_tests};
+use ifs_compiler::diagnostic::Code;
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::hir::{library_docs, library_page};
 use ifs_compiler::source::MemoryFiles;
@@ -41,7 +42,9 @@ fn every_example_in_the_library_can_be_used() {
                 let analysis = analyse(&MemoryFiles::single("design.ifs", &design), "design.ifs", &overrides);
                 let tested = run_tests(&analysis, &overrides);
                 let tested = tested.iter().flat_map(|result| &result.diagnostics);
-                let said = analysis.diagnostics.iter().chain(tested);
+                // That irrational coefficients are rounded is said wherever it is so.
+                let said =
+                    analysis.diagnostics.iter().chain(tested).filter(|found| found.code != Code::W0546);
                 faults.extend(said.map(|found| format!("{name}: {} {}", found.code.name(), found.message)));
             }
         }

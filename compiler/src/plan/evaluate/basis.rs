@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::ifs::{Automaton, StateId, Transform};
+use crate::ifs::{Automaton, StateId, StateSpace, Transform};
 
 /// The vertices of a chain as weights on the control points of its state.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,7 +79,21 @@ fn stack_pieces(automaton: &Automaton, state: StateId, tables: &Tables, table: &
         let Some(piece) = tables.get(&transform.target) else { continue };
         let inner = transform.matrix.rows();
         let shared = if place == 0 { 0 } else { inner };
+        let first = table.len();
         append_product(&piece[shared..], transform, table);
+        if automaton.state(state).space != StateSpace::Control {
+            complete_frame_rows(&mut table[first..], transform.matrix.columns());
+        }
+    }
+}
+
+/// On a frame of points 1 mm apart the weights are as large as the coordinates, and what their rounded sum lacks to 1
+/// would grow from step to step: the origin's weight is what the others leave of 1.
+fn complete_frame_rows(rows: &mut [f64], columns: usize) {
+    for row in rows.chunks_exact_mut(columns) {
+        if let [origin, others @ ..] = row {
+            *origin = 1.0 - others.iter().sum::<f64>();
+        }
     }
 }
 

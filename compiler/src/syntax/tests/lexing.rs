@@ -67,13 +67,13 @@ fn words_glued_to_numbers_are_unknown_units() {
 
 #[test]
 fn numbers_have_a_largest_size() {
-    let long = "1".repeat(401);
+    let long = "1".repeat(101);
     for text in ["1e999", "1e301", "0e999", "1e-999", "1e99999999999999999999", "0.1e-300", &long, "1e999mm"]
     {
         assert_eq!(said(&format!("let a = {text}")), [(Code::E0104, text)]);
     }
-    let large = format!("1{}", "0".repeat(300));
-    let small = format!("0.{}1", "0".repeat(299));
+    let large = format!("1{}", "0".repeat(99));
+    let small = format!("0.{}1", "0".repeat(98));
     for text in ["1e300", "1e-300", "0.0", "10e299", &large, &small] {
         assert_eq!(said(&format!("let a = {text}")), []);
     }
