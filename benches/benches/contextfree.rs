@@ -11,11 +11,11 @@
 
 use std::convert::Infallible;
 use std::hint::black_box;
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use ifs_benches::pieces::{PlainRecursion, fern, plan};
+use ifs_benches::processes::{build_release, median, root, run};
 use ifs_compiler::plan::evaluate::PiecesEvaluator;
 
 const LEVEL: u32 = 10;
@@ -88,30 +88,4 @@ fn tell(what: &str, time: Duration) {
         SHAPES as f64 / time.as_secs_f64() / 1e6,
         time.as_secs_f64() * 1e3
     );
-}
-
-fn build_release() -> PathBuf {
-    let mut build = Command::new(env!("CARGO"));
-    run(build.args(["build", "--release", "--quiet", "-p", "ifs-cli"]).current_dir(root()));
-    root().join("target/release/ifs")
-}
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the tree")
-}
-
-fn run(command: &mut Command) {
-    let status = command.stdout(Stdio::null()).stderr(Stdio::null()).status().expect("it can be started");
-    assert!(status.success(), "{command:?}");
-}
-
-fn median(runs: usize, mut work: impl FnMut()) -> Duration {
-    let time = |_| {
-        let start = Instant::now();
-        work();
-        start.elapsed()
-    };
-    let mut times: Vec<Duration> = (0..runs).map(time).collect();
-    times.sort_unstable();
-    times[times.len() / 2]
 }

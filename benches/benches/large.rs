@@ -13,9 +13,9 @@ use std::fs;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
 
 use ifs_benches::large::{MIXES, design};
+use ifs_benches::processes::{build_release, median, millis, root, run};
 use ifs_compiler::analysis::analyse;
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::{FileId, MemoryFiles, Source};
@@ -105,34 +105,4 @@ fn ten_thousand() {
             whole.as_secs_f64() / nothing.as_secs_f64()
         );
     }
-}
-
-fn build_release() -> PathBuf {
-    let mut build = Command::new(env!("CARGO"));
-    run(build.args(["build", "--release", "--quiet", "-p", "ifs-cli"]).current_dir(root()));
-    root().join("target/release/ifs")
-}
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the tree")
-}
-
-fn run(command: &mut Command) {
-    let status = command.stdout(Stdio::null()).status().expect("the program can be started");
-    assert!(status.success(), "{command:?}");
-}
-
-fn median(runs: usize, mut work: impl FnMut()) -> Duration {
-    let time = |_| {
-        let start = Instant::now();
-        work();
-        start.elapsed()
-    };
-    let mut times: Vec<Duration> = (0..runs).map(time).collect();
-    times.sort_unstable();
-    times[times.len() / 2]
-}
-
-fn millis(time: Duration) -> f64 {
-    time.as_secs_f64() * 1e3
 }

@@ -12,8 +12,9 @@
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+use ifs_benches::processes::{build_release, median, middle, millis, root, run, time};
 use ifs_benches::{bezier3, net};
 use ifs_compiler::ifs::StateId;
 use ifs_compiler::plan::SheetPlan;
@@ -110,42 +111,8 @@ fn million(ifs: &Path) {
     let _ = fs::remove_file(copy);
 }
 
-fn build_release() -> PathBuf {
-    let mut build = Command::new(env!("CARGO"));
-    run(build.args(["build", "--release", "--quiet", "-p", "ifs-cli"]).current_dir(root()));
-    root().join("target/release/ifs")
-}
-
 fn python() -> PathBuf {
     root().join("target/referees/bin/python")
-}
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the tree")
-}
-
-fn run(command: &mut Command) {
-    let status = command.status().expect("the program can be started");
-    assert!(status.success(), "{command:?}");
-}
-
-fn time(work: impl FnOnce()) -> Duration {
-    let start = Instant::now();
-    work();
-    start.elapsed()
-}
-
-fn median(runs: usize, mut work: impl FnMut()) -> Duration {
-    middle((0..runs).map(|_| time(&mut work)).collect())
-}
-
-fn middle(mut times: Vec<Duration>) -> Duration {
-    times.sort_unstable();
-    times[times.len() / 2]
-}
-
-fn millis(time: Duration) -> f64 {
-    time.as_secs_f64() * 1e3
 }
 
 fn ratio(a: Duration, b: Duration) -> f64 {

@@ -1,10 +1,12 @@
-//! Shared pieces of the benchmarks: the designs that are measured.
+//! Shared pieces of the benchmarks: the designs that are measured, and how processes are timed.
 
 // A benchmark that cannot build its design has nothing to measure.
 #![allow(clippy::expect_used)]
+#![allow(clippy::disallowed_methods, reason = "races read clocks")]
 
 pub mod large;
 pub mod pieces;
+pub mod processes;
 
 use ifs_compiler::exact::Rational;
 use ifs_compiler::ifs::{Automaton, Germ, Matrix, State, StateId, Transform};

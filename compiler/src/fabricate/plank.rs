@@ -77,15 +77,6 @@ pub struct Plank {
     pub solid: Solid,
 }
 
-impl Plank {
-    /// The length of bar it takes, from its first to its last corner, mm.
-    #[must_use]
-    pub fn blank_length(&self) -> f64 {
-        let (low, high) = super::fit::bounds(&self.outline);
-        high.x - low.x
-    }
-}
-
 /// The planks of one curve and those that cannot be made. Both in the order of the curve.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Planks {

@@ -40,14 +40,6 @@ pub struct Apart {
     pub right_weights: Vec<Rational>,
 }
 
-impl Apart {
-    /// The largest difference of two weights.
-    pub fn largest_difference(&self) -> Rational {
-        let pairs = self.left_weights.iter().zip(&self.right_weights);
-        pairs.map(|(left, right)| (left - right).abs()).max().unwrap_or(Rational::ZERO)
-    }
-}
-
 /// Whether a join that is stated of `state` holds.
 ///
 /// # Panics

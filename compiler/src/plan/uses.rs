@@ -112,9 +112,4 @@ impl SweptPlan {
             Path::Straight { pieces, .. } => Some(*pieces),
         }
     }
-
-    /// The chain along the profile.
-    pub fn profile_use(&self) -> StateUse {
-        chain_use(&self.profile)
-    }
 }

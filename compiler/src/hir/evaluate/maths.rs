@@ -8,8 +8,11 @@ use crate::hir::native::Native;
 use crate::hir::scalar::{Scalar, ScalarError};
 use crate::hir::tree::Expr;
 
-/// Largest exponent that is multiplied out.
+/// Largest whole exponent.
 const MOST_FACTORS: i64 = 1024;
+
+/// Powers that need more bits than this are real numbers.
+const MOST_BITS: u64 = 4096;
 
 impl Evaluator<'_> {
     /// A function of one or two numbers.
@@ -63,23 +66,17 @@ impl Evaluator<'_> {
     fn power(&mut self, x: &Scalar, n: &Scalar, arguments: &[Expr]) -> Outcome<Scalar> {
         let span = arguments[0].span;
         let whole = n.to_integer().filter(|n| n.abs() <= MOST_FACTORS);
-        let outcome = match whole {
-            Some(n) => {
-                let mut power = Scalar::one();
-                for _ in 0..n.abs() {
-                    self.work(std::slice::from_ref(&power), x.cost(), span)?;
-                    power = power.times(x).map_err(|error| self.scalar_error(error, span))?;
-                }
-                if n < 0 { Scalar::one().over(&power) } else { Ok(power) }
+        let outcome = match (x, whole) {
+            (Scalar::Exact(exact), Some(n)) if exact.bits() * n.unsigned_abs() <= MOST_BITS => {
+                self.work(std::slice::from_ref(x), n.unsigned_abs(), span)?;
+                exact.checked_pow(n as i32).map(Scalar::Exact).map_err(|_| ScalarError::DivisionByZero)
             }
-            None => {
+            (_, Some(n)) => real_power(x, n as f64),
+            (_, None) => {
                 if !self.order(x, &Scalar::zero(), span)?.is_gt() {
                     return Err(self.outside(Native::Pow, x, "above 0 for such an exponent", &arguments[0]));
                 }
-                match (x.to_f64(), n.to_f64()) {
-                    (Some(x), Some(n)) => Scalar::real(libm::pow(x, n)),
-                    _ => Err(ScalarError::Undetermined),
-                }
+                n.to_f64().ok_or(ScalarError::Undetermined).and_then(|n| real_power(x, n))
             }
         };
         outcome.map_err(|error| self.scalar_error(error, span))
@@ -92,6 +89,14 @@ impl Evaluator<'_> {
         let diagnostic = Diagnostic::new(Code::E0604, argument.span, message).label(format!("is {is}"));
         self.report(diagnostic)
     }
+}
+
+fn real_power(x: &Scalar, n: f64) -> Result<Scalar, ScalarError> {
+    let x = x.to_f64().ok_or(ScalarError::Undetermined)?;
+    if x == 0.0 && n < 0.0 {
+        return Err(ScalarError::DivisionByZero);
+    }
+    Scalar::real(libm::pow(x, n))
 }
 
 fn angle(x: &Scalar, function: fn(f64) -> f64) -> Result<Scalar, ScalarError> {
