@@ -1,6 +1,6 @@
 //! Strange bytes, long lines, and everything that nests, nested too deeply.
 
-use crate::{Case, case};
+use super::{Case, case};
 
 /// Strange and long texts.
 pub(crate) fn cases() -> Vec<Case> {

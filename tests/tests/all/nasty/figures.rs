@@ -4,7 +4,7 @@ use std::iter::successors;
 
 use super::evaluation::figure;
 use super::text::lines;
-use crate::{Case, case};
+use super::{Case, case};
 
 /// All of them.
 pub(crate) fn cases() -> Vec<Case> {

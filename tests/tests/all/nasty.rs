@@ -1,10 +1,8 @@
 //! Designs that nobody means: each ends soon, on a small stack, with the codes it deserves, and says the same twice.
 
-mod corpus {
-    pub(crate) mod evaluation;
-    pub(crate) mod figures;
-    pub(crate) mod text;
-}
+mod evaluation;
+mod figures;
+mod text;
 
 use std::collections::BTreeSet;
 use std::sync::mpsc;
@@ -85,20 +83,20 @@ fn all_end_well(cases: Vec<Case>) {
 
 #[test]
 fn strange_texts_end_well() {
-    all_end_well(corpus::text::cases());
+    all_end_well(text::cases());
 }
 
 #[test]
 fn deep_nesting_ends_well() {
-    all_end_well(corpus::text::nested());
+    all_end_well(text::nested());
 }
 
 #[test]
 fn endless_evaluations_end_well() {
-    all_end_well(corpus::evaluation::cases());
+    all_end_well(evaluation::cases());
 }
 
 #[test]
 fn strange_ifs_and_figures_end_well() {
-    all_end_well(corpus::figures::cases());
+    all_end_well(figures::cases());
 }

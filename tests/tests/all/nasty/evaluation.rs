@@ -1,7 +1,7 @@
 //! Evaluations without an end, of too many steps, or of numbers that are none.
 
 use super::text::lines;
-use crate::{Case, case};
+use super::{Case, case};
 
 /// All of them.
 pub(crate) fn cases() -> Vec<Case> {

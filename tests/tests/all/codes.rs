@@ -42,9 +42,9 @@ fn every_code_is_covered() {
         "compiler/src/outputs/programs.rs",
         "compiler/src/analysis/load/tests.rs",
         "compiler/src/analysis/project.rs",
-        "tests/tests/projects.rs",
+        "tests/tests/all/projects.rs",
     ];
-    let tests = beside.iter().fold(read("tests/tests/codes.rs"), |tests, path| tests + &read(path));
+    let tests = beside.iter().fold(read("tests/tests/all/codes.rs"), |tests, path| tests + &read(path));
     let faults = suite::faults_of_coverage(&table, &covered, ELSEWHERE, &tests);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

@@ -1,0 +1,29 @@
+//! The tests of the whole: one program, since linking one for each file took longer than running them.
+
+mod affine;
+mod bad_folder;
+mod bad_input;
+mod codes;
+mod curves;
+mod emit;
+mod examples;
+mod figures;
+mod fmt;
+mod format;
+mod killing;
+mod library;
+mod maps;
+mod messages;
+mod nasty;
+mod nc;
+mod opensubdiv;
+mod pages;
+mod pieces;
+mod projects;
+mod referees;
+mod robust;
+mod sameness;
+mod sums;
+mod surfaces;
+mod testing;
+mod tree;
