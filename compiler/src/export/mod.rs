@@ -4,6 +4,7 @@
 pub mod csv;
 pub mod cut_list;
 pub mod glb;
+pub mod html;
 pub mod nc;
 pub mod number;
 pub mod part;

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::Distribution;
 use crate::export::number::Fixed;
 use crate::fabricate::checks::{CheckResult, Measured};
 
@@ -14,6 +15,8 @@ pub struct Requirement {
     pub holds: bool,
     /// The unit of the figures below: `mm`, `deg` or none for a cosine.
     pub unit: Option<&'static str>,
+    /// What the figures are held against.
+    pub limits: Vec<LimitReport>,
     /// How many measurements are outside it.
     pub failing: usize,
     /// How many measurements there are.
@@ -22,8 +25,20 @@ pub struct Requirement {
     pub least: Option<Fixed>,
     /// The largest measured.
     pub most: Option<Fixed>,
+    /// How the figures are spread between these two.
+    pub distribution: Option<Distribution>,
     /// The worst, the worst first.
     pub worst: Vec<WorstReport>,
+}
+
+/// A bound of a requirement.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LimitReport {
+    /// `at least`, `at most`, `above`, `below` or `equal to`; with `across the grain` or `along the grain` where the
+    /// bound depends on it.
+    pub words: &'static str,
+    /// The bound, in the unit of the requirement.
+    pub value: Fixed,
 }
 
 /// One of the worst elements of a requirement.
@@ -51,9 +66,10 @@ pub enum Quantity {
 }
 
 impl Requirement {
-    /// The result of a check of the requirement that the design writes as `text`.
+    /// The result of a check of the requirement that the design writes as `text`, against limits in words with their
+    /// values as they were measured: mm, rad, a cosine.
     #[must_use]
-    pub fn of(text: &str, quantity: Quantity, result: &CheckResult) -> Self {
+    pub fn of(text: &str, quantity: Quantity, limits: &[(&'static str, f64)], result: &CheckResult) -> Self {
         let (unit, number): (_, fn(f64) -> Fixed) = match quantity {
             Quantity::Length => (Some("mm"), Fixed::mm),
             Quantity::Angle => (Some("deg"), Fixed::degrees),
@@ -69,10 +85,12 @@ impl Requirement {
             text: text.to_owned(),
             holds: result.holds(),
             unit,
+            limits: limits.iter().map(|&(words, value)| LimitReport { words, value: number(value) }).collect(),
             failing: result.failing,
             total: result.total,
             least: result.extremes.map(|(least, _)| number(least)),
             most: result.extremes.map(|(_, most)| number(most)),
+            distribution: Distribution::of(result.values.iter().copied(), number),
             worst: result.measured.iter().map(worst).collect(),
         }
     }

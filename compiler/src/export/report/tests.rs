@@ -41,7 +41,7 @@ fn report() -> Report {
             planarize: None,
             moved: MovedReport::between(&designed, &mesh),
         }),
-        requirements: vec![Requirement::of("planarity >= 0.9998", Quantity::Planarity, &checked)],
+        requirements: vec![Requirement::of("planarity >= 0.9998", Quantity::Planarity, &[("at least", 0.9998)], &checked)],
         parts: made.panels.iter().map(|panel| Part::of_panel(panel, "shell", "plywood", Grain::U)).collect(),
     });
     report

@@ -42,6 +42,8 @@ pub struct CheckResult {
     pub total: usize,
     /// The least and the largest value measured; none where nothing was.
     pub extremes: Option<(f64, f64)>,
+    /// Every value measured, in the order of the elements.
+    pub values: Vec<f64>,
 }
 
 impl CheckResult {
@@ -72,6 +74,7 @@ impl Tally {
         place: impl FnOnce() -> String,
     ) {
         self.result.total += 1;
+        self.result.values.push(value);
         self.result.failing += usize::from(!holds);
         let (least, most) = self.result.extremes.unwrap_or((value, value));
         self.result.extremes = Some((least.min(value), most.max(value)));
