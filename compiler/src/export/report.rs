@@ -330,4 +330,4 @@ impl MovedReport {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -48,5 +48,5 @@ fn body(page: &mut Markup, document: &Document<'_>) {
     });
 }
 
-
-
+#[cfg(test)]
+mod tests;

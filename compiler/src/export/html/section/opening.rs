@@ -3,7 +3,7 @@
 use super::scene::Scene;
 use crate::export::html::document::Document;
 use crate::export::html::markup::Markup;
-use crate::export::html::number::{count_figure, counted, figure};
+use crate::export::html::number::{count_figure, counted, figure, shown};
 use crate::export::number::{Fixed, KILOGRAMS, SQUARE_METRES};
 use crate::export::report::{Fabrication, Report};
 
@@ -18,7 +18,10 @@ pub(in crate::export::html) fn opening(page: &mut Markup, document: &Document<'_
         }
         verdict(page, report);
     });
-    facts(page, report);
+    // Several fabrications have a row each in the table of materials.
+    if let [made] = &report.fabrications[..] {
+        facts(page, made);
+    }
     let mut scales: Vec<f64> = report.fabrications.iter().map(|made| made.scale.value).collect();
     if scales.is_empty() || !document.plain.is_empty() {
         scales.push(1.0);
@@ -26,11 +29,12 @@ pub(in crate::export::html) fn opening(page: &mut Markup, document: &Document<'_
     scales.sort_by(f64::total_cmp);
     scales.dedup();
     for scale in scales.into_iter().rev() {
-        let caption = match scale == 1.0 {
-            true => "Axonometric view of what is built.".to_owned(),
-            false => format!("Axonometric view of the model, at {}.", scale_ratio(scale)),
+        let caption = match (scale == 1.0, report.fabrications.is_empty()) {
+            (true, true) => "The design.".to_owned(),
+            (true, false) => "What is built, in axonometric view.".to_owned(),
+            (false, _) => format!("The model at {}, in axonometric view.", scale_ratio(scale)),
         };
-        Scene::at_scale(document, scale).picture(page, (178.0, 104.0), "The design in space", &caption);
+        Scene::at_scale(document, scale).picture(page, (178.0, 98.0), "The design in space", &caption);
     }
 }
 
@@ -86,41 +90,33 @@ fn noun(made: &[Fabrication]) -> &'static str {
     }
 }
 
-/// The figures of each fabrication in one row.
-fn facts(page: &mut Markup, report: &Report) {
-    for (place, made) in report.fabrications.iter().enumerate() {
-        let at = |field: &str| format!("/fabrications/{place}/{field}");
-        if report.fabrications.len() > 1 {
-            page.texts("h3", &[], &made.figure);
-        }
-        page.element("dl", &[("class", "facts")], |page| {
-            let planks = made.kind == "planks";
-            fact(page, if planks { "planks" } else { "boards" }, "", |page| {
-                count_figure(page, made.counts.made, &at("counts/made"));
-            });
-            let material = &made.material;
-            match material.length_mm {
-                // Metres of plank; the figure of the report is in mm.
-                Some(length) => fact(page, "on their axes", "m", |page| {
-                    let metres = Fixed { value: length.value / 1000.0, decimals: length.decimals };
-                    page.text(&crate::export::html::number::shown(metres.value, 1));
-                }),
-                None => fact(page, "of boards", "m²", |page| {
-                    figure(page, Some(material.area_m2), decimals(material.area_m2, SQUARE_METRES), &at("material/area_m2"));
-                }),
-            }
-            if let Some(mass) = material.mass_kg {
-                fact(page, "mass", "kg", |page| {
-                    figure(page, Some(mass), decimals(mass, KILOGRAMS), &at("material/mass_kg"));
-                });
-            }
-            let raw = if planks { "raw bars at least" } else { "raw boards at least" };
-            fact(page, raw, "", |page| {
-                let count = usize::try_from(material.raw_at_least).unwrap_or(usize::MAX);
-                count_figure(page, count, &at("material/raw_at_least"));
-            });
+/// The figures of the only fabrication in one row.
+fn facts(page: &mut Markup, made: &Fabrication) {
+    let at = |field: &str| format!("/fabrications/0/{field}");
+    let planks = made.kind == "planks";
+    let material = &made.material;
+    page.element("dl", &[("class", "facts")], |page| {
+        fact(page, if planks { "planks" } else { "boards" }, "", |page| {
+            count_figure(page, made.counts.made, &at("counts/made"));
         });
-    }
+        match material.length_mm {
+            // Metres of plank; the figure of the report is in mm.
+            Some(length) => fact(page, "along their axes", "m", |page| page.text(&shown(length.value / 1000.0, 1))),
+            None => fact(page, "area", "m²", |page| {
+                let area = material.area_m2;
+                figure(page, Some(area), decimals(area, SQUARE_METRES), &at("material/area_m2"));
+            }),
+        }
+        if let Some(mass) = material.mass_kg {
+            fact(page, "mass", "kg", |page| {
+                figure(page, Some(mass), decimals(mass, KILOGRAMS), &at("material/mass_kg"));
+            });
+        }
+        fact(page, if planks { "raw bars at least" } else { "raw boards at least" }, "", |page| {
+            let count = usize::try_from(material.raw_at_least).unwrap_or(usize::MAX);
+            count_figure(page, count, &at("material/raw_at_least"));
+        });
+    });
 }
 
 fn fact(page: &mut Markup, name: &str, unit: &str, inside: impl FnOnce(&mut Markup)) {
