@@ -41,7 +41,7 @@ impl Checker<'_> {
                         self.report(diagnostic.hint("give one of them another name"));
                     }
                     let ty = expected.unwrap_or_else(|| expr.ty.clone());
-                    let end = test.steps.last().map_or(value.value.span.end, |last| step_end(last));
+                    let end = test.steps.last().map_or(value.value.span.end, step_end);
                     let scope = Span::new(value.name.span.file, value.value.span.end, end);
                     let slot = self.declare(&mut frame, &value.name, ty, DeclarationKind::Local, scope);
                     steps.push(TestStep::Let(slot, expr));
