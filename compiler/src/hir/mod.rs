@@ -17,6 +17,6 @@ pub mod tree;
 pub mod types;
 pub mod value;
 
-pub use check::{Checked, ModuleSource, check};
+pub use check::{Checked, ImportedMesh, ModuleSource, check};
 pub use library::{LIBRARY, library_text};
 pub use library_docs::{ItemDocs, ModuleDocs, library_docs, library_page};
