@@ -130,6 +130,9 @@ codes! {
     E0553 Error "`each until` where elements are joined",
     E0554 Error "elements that have no such size",
     E0555 Error "a mesh whose faces do not fit its points",
+    E0556 Error "a file that gives no mesh",
+    E0557 Error "the path of a mesh that is not written out",
+    E0558 Error "a mesh beyond a limit",
 
     // Boundaries and stated joins.
     E0540 Error "a join names what is not there",

@@ -62,6 +62,7 @@ pub enum Native {
     Quad,
     Strut,
     Mesh,
+    Import,
     Chain,
     Weighted,
     Translation,
@@ -126,6 +127,8 @@ pub enum Takes {
     Numbers,
     /// A list of lists of whole numbers.
     Faces,
+    /// The path of a file, written out.
+    Path,
 }
 
 impl Takes {
@@ -150,6 +153,7 @@ impl Takes {
             Takes::Whole => Some(Type::Int),
             Takes::Numbers => Some(list(Type::NUMBER)),
             Takes::Faces => Some(list(list(Type::Int))),
+            Takes::Path => Some(Type::Text),
             Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
             Takes::Quantity
             | Takes::QuantityOrList
@@ -471,10 +475,17 @@ const NATIVES: &[NativeDeclaration] = &[
         &[needs("points", Takes::Points), needs("faces", Takes::Faces)],
         "the germ that draws faces over points: each face lists its corners by their places, from 0",
     ),
+    native(
+        Native::Import,
+        "prelude",
+        "import",
+        &[needs("path", Takes::Path)],
+        "the germ that draws the mesh of a file, a binary glTF (.glb); the path starts at the file it stands in",
+    ),
 ];
 
 /// Names that the language has but the program not yet, with the module they belong to.
-pub const LATER: &[(&str, &str)] = &[("prelude", "import"), ("prelude", "plane"), ("prelude", "cut")];
+pub const LATER: &[(&str, &str)] = &[("prelude", "plane"), ("prelude", "cut")];
 
 impl Native {
     /// Its declaration.

@@ -11,6 +11,7 @@ mod figures;
 mod fmt;
 mod format;
 mod index;
+mod imported;
 mod killing;
 mod library;
 mod maps;

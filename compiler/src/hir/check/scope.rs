@@ -1,6 +1,6 @@
 //! Modules and what they declare and import.
 
-use super::{Checker, Declared, ModuleSource, State, broken};
+use super::{Checker, Declared, ImportedMesh, ModuleSource, State, broken};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::hir::index::{DeclarationKind, Index, Target};
 use crate::hir::native::{LATER, Native, natives};
@@ -35,6 +35,7 @@ pub(super) struct ModuleScope<'a> {
     pub(super) file: FileId,
     pub(super) ast: &'a ast::File,
     pub(super) uses: &'a [(Span, FileId)],
+    pub(super) meshes: &'a [(Span, ImportedMesh)],
     pub(super) complete: bool,
     pub(super) own: BTreeMap<&'a str, ItemId>,
     pub(super) public: BTreeMap<&'a str, Symbol>,
@@ -101,6 +102,7 @@ impl<'a> Checker<'a> {
             file: source.file,
             ast: source.ast,
             uses: source.uses,
+            meshes: source.imports,
             complete: source.complete,
             own: BTreeMap::new(),
             public: BTreeMap::new(),
