@@ -17,7 +17,7 @@ mod testing;
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
 pub use load::{Library, MOST_BYTES, MOST_FILES, MeshFile, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry, piece_labels};
-pub use requirements::{LimitValue, RequirementResult};
+pub use requirements::{LimitValue, RequirementResult, value_words};
 pub(crate) use settings::{field, number, text};
 pub use single::{SingleText, single};
 pub use testing::{TestResult, Verdict, run_tests};
@@ -194,11 +194,11 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
     }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
     if mend {
-        let remedies = mend::Remedies::new(hir, overrides, &evaluated);
+        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated);
         let failed: Vec<Diagnostic> = evaluated
             .fabrications
             .iter()
-            .flat_map(|fabrication| requirements::diagnostics(fabrication, &remedies))
+            .flat_map(|fabrication| requirements::diagnostics(fabrication, &mut remedies))
             .collect();
         diagnostics.extend(failed);
     }

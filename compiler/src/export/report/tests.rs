@@ -41,7 +41,7 @@ fn report() -> Report {
             planarize: None,
             moved: MovedReport::between(&designed, &mesh),
         }),
-        requirements: vec![Requirement::of("planarity >= 0.9998", Quantity::Planarity, &checked)],
+        requirements: vec![Requirement::of("planarity >= 0.9998", "planarity", Quantity::Planarity, &checked)],
         parts: made.panels.iter().map(|panel| Part::of_panel(panel, "shell", "plywood", Grain::U)).collect(),
     });
     report
@@ -77,7 +77,21 @@ fn angles_are_written_in_degrees() {
         place: "end".into(),
         value: std::f64::consts::FRAC_PI_4,
     });
-    let written = Requirement::of("mitre <= 45deg", Quantity::Angle, &result);
+    let written = Requirement::of("mitre <= 45deg", "mitre", Quantity::Angle, &result);
     assert_eq!(serde_json::to_value(written.worst[0].value).unwrap(), 45.0);
     assert_eq!((written.unit, written.holds), (Some("deg"), true));
+}
+
+#[test]
+fn each_quantity_has_its_unit() {
+    let result = CheckResult { total: 1, extremes: Some((0.5, 2_500_000.0)), ..CheckResult::default() };
+    let written = |quantity| {
+        let written = Requirement::of("…", "…", quantity, &result);
+        (written.unit, serde_json::to_string(&written.most).unwrap())
+    };
+    assert_eq!(written(Quantity::Length), (Some("mm"), "2500000.000".to_owned()));
+    assert_eq!(written(Quantity::Area), (Some("m2"), "2.500000".to_owned()));
+    assert_eq!(written(Quantity::Mass), (Some("kg"), "2500000.000".to_owned()));
+    assert_eq!(written(Quantity::Ratio), (None, "2500000.000000".to_owned()));
+    assert_eq!(written(Quantity::Count), (None, "2500000".to_owned()));
 }
