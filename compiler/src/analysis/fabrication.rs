@@ -11,7 +11,7 @@ use super::requirements::{LimitValue, RequirementResult, evaluate_limit};
 use super::settings::SettingValue;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
-use crate::fabricate::panel::{Panel, PanelSettings, RefusedPanel};
+use crate::fabricate::panel::{Corner, Panel, PanelSettings, RefusedPanel};
 use crate::fabricate::plank::{Plank, PlankSettings, RefusedPlank};
 use crate::geometry::QuadMesh;
 use crate::hir::evaluate::Evaluator;
@@ -59,6 +59,8 @@ pub struct PanelsMade {
     pub panels: Vec<Panel>,
     /// Quads no board can be made for.
     pub refused: Vec<RefusedPanel>,
+    /// The corners where boards have to be cut back.
+    pub corners: Vec<Corner>,
 }
 
 /// One surface of a block.

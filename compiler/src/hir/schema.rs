@@ -46,7 +46,7 @@ impl ChoiceKind {
     pub fn words(self) -> &'static [Word] {
         const SIDE: &[Word] = &[now("inner"), now("centred"), now("outer")];
         const GRAIN: &[Word] = &[now("u"), now("v"), now("free")];
-        const EDGES: &[Word] = &[now("square"), later("bevelled"), later("stepped")];
+        const EDGES: &[Word] = &[now("square"), now("bevelled"), now("stepped")];
         const ENDS: &[Word] = &[now("square"), now("mitred")];
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];

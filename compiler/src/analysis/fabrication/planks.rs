@@ -26,6 +26,8 @@ impl Work<'_> {
             },
             gap: number(self, "gap").unwrap_or(0.0),
             stock: number(self, "stock").unwrap_or(ANY_STOCK),
+            first: None,
+            last: None,
         };
         let mut made = PlanksMade { settings, figures: Vec::new(), planks: Vec::new(), refused: Vec::new() };
         let figures: Vec<(usize, FigurePlan)> =
@@ -50,7 +52,10 @@ impl Work<'_> {
             false => planks(&points, &labels, &made.settings),
         };
         match made_of {
-            Ok(done) => {
+            Ok(mut done) => {
+                // Curves are put up one after the other.
+                let before = made.planks.len() as u32;
+                done.planks.iter_mut().for_each(|plank| plank.order += before);
                 made.planks.extend(done.planks);
                 made.refused.extend(done.refused);
             }
