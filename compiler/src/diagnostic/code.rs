@@ -173,6 +173,9 @@ codes! {
     E0814 Error "`require overlap` fails",
     E0815 Error "`require bend radius` fails",
 
+    // End cuts and edges.
+    E0850 Error "an end cut that the machine cannot make",
+
     // NC programs.
     E0901 Error "an NC program that cannot be made",
     E0902 Error "an NC program that its read-back refuses",

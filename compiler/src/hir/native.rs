@@ -69,6 +69,8 @@ pub enum Native {
     ProjectiveSum,
     Revolution,
     Extrusion,
+    Plane,
+    Cut,
 }
 
 /// What a parameter takes.
@@ -120,6 +122,10 @@ pub enum Takes {
     Curve,
     /// A vector of space.
     SpaceVector,
+    /// A point of space.
+    SpacePoint,
+    /// A plane.
+    Plane,
     /// A whole number.
     Whole,
     /// A list of plain numbers.
@@ -146,6 +152,8 @@ impl Takes {
             Takes::Net => Some(list(list(Type::Weighted(PointSpace::Space)))),
             Takes::Truth => Some(Type::Bool),
             Takes::Curve => Some(Type::Curve),
+            Takes::SpacePoint => Some(Type::Point(PointSpace::Space)),
+            Takes::Plane => Some(Type::Plane),
             Takes::SpaceVector => Some(Type::Vector(PointSpace::Space)),
             Takes::Whole => Some(Type::Int),
             Takes::Numbers => Some(list(Type::NUMBER)),
@@ -471,10 +479,24 @@ const NATIVES: &[NativeDeclaration] = &[
         &[needs("points", Takes::Points), needs("faces", Takes::Faces)],
         "the germ that draws faces over points: each face lists its corners by their places, from 0",
     ),
+    native(
+        Native::Plane,
+        "prelude",
+        "plane",
+        &[needs("point", Takes::SpacePoint), needs("normal", Takes::SpaceVector)],
+        "the plane through a point, square to a vector",
+    ),
+    native(
+        Native::Cut,
+        "prelude",
+        "cut",
+        &[needs("plane", Takes::Plane)],
+        "the cut along a plane at the first or the last end of a curve of planks",
+    ),
 ];
 
 /// Names that the language has but the program not yet, with the module they belong to.
-pub const LATER: &[(&str, &str)] = &[("prelude", "import"), ("prelude", "plane"), ("prelude", "cut")];
+pub const LATER: &[(&str, &str)] = &[("prelude", "import")];
 
 impl Native {
     /// Its declaration.

@@ -11,10 +11,21 @@ impl Work<'_> {
     pub(super) fn refused_panels(&mut self, refused: &[RefusedPanel]) {
         let large = |refusal: &&RefusedPanel| matches!(refusal.reason, PanelRefusal::TooLarge { .. });
         let too_large: Vec<&RefusedPanel> = refused.iter().filter(large).collect();
-        let others: Vec<&RefusedPanel> = refused.iter().filter(|refusal| !large(refusal)).collect();
+        let eaten = |refusal: &&RefusedPanel| {
+            matches!(refusal.reason, PanelRefusal::SideVanishes { .. } | PanelRefusal::NoCorner { .. })
+        };
+        let eaten_up: Vec<&RefusedPanel> = refused.iter().filter(eaten).collect();
+        let others: Vec<&RefusedPanel> =
+            refused.iter().filter(|refusal| !large(refusal) && !eaten(refusal)).collect();
+        let edges = self.setting("edges").map_or(self.block.figure_span, |(_, _, span)| *span);
         let board = self.setting("board").map_or(self.block.figure_span, |(_, _, span)| *span);
         for (group, span, hint) in [
             (too_large, board, "use a larger board, or a higher level: the elements get smaller"),
+            (
+                eaten_up,
+                edges,
+                "use a thinner material, a lower level (larger boards), or `edges: square`",
+            ),
             (others, self.block.figure_span, "move the control points so that the quads there are convex"),
         ] {
             let named: Vec<(&Label, String)> =
@@ -33,6 +44,16 @@ impl Work<'_> {
                 too_long as fn(&PlankRefusal) -> bool,
             ),
             (section, "use a smaller depth, or a lower level: the planks get longer", cuts_cross),
+            (
+                place("ends"),
+                "let the curve turn less at the joint, or write `ends: square`; a plane is to cross the plank",
+                too_steep,
+            ),
+            (
+                place("gap"),
+                "use a smaller gap, or a lower level; a plane is to cross the first or the last plank",
+                nothing_left,
+            ),
             (figure, "move the control points apart, or use a lower level", no_length),
         ] {
             let group = refused.iter().filter(|refusal| is_meant(&refusal.reason));
@@ -63,6 +84,14 @@ fn too_long(reason: &PlankRefusal) -> bool {
 
 fn cuts_cross(reason: &PlankRefusal) -> bool {
     matches!(reason, PlankRefusal::CutsCross { .. })
+}
+
+fn too_steep(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::TooSteep { .. })
+}
+
+fn nothing_left(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::NothingLeft { .. })
 }
 
 fn no_length(reason: &PlankRefusal) -> bool {
