@@ -187,6 +187,9 @@ codes! {
     E0835 Error "two requirements that exclude each other",
     E0836 Error "a requirement that nothing can hold",
 
+    // End cuts and edges.
+    E0850 Error "an end cut that the machine cannot make",
+
     // NC programs.
     E0901 Error "an NC program that cannot be made",
     E0902 Error "an NC program that its read-back refuses",

@@ -40,7 +40,8 @@ impl Remedies<'_> {
 
     /// Whether a level may be tried: higher ones have about four times as many quads, or twice as many segments.
     fn is_level_affordable(&self, asked: Asked, now: &Block, shift: i32) -> bool {
-        let elements = (now.elements as u64).max(1).saturating_mul(4u64.saturating_pow(shift.max(0).unsigned_abs()));
+        let elements =
+            (now.elements as u64).max(1).saturating_mul(4u64.saturating_pow(shift.max(0).unsigned_abs()));
         // Beyond the first level up half of the budget is kept for parameters.
         let share = if shift > 0 { 3 } else { 1 };
         self.variants.affordable(elements, self.needs_planarizing(now, asked)) >= share
@@ -90,7 +91,8 @@ impl Remedies<'_> {
             let requirements = now.requirements.iter().zip(&then.requirements);
             let mut judged = requirements.filter(|(now, _)| variant.planarized || !now.measure.is_flatness());
             let (_, broken) = judged.find(|(now, then)| now.result.holds() && !then.result.holds())?;
-            let value = broken.result.extremes.map(|extremes| found_words(broken.measure, &broken.limit, extremes));
+            let value =
+                broken.result.extremes.map(|extremes| found_words(broken.measure, &broken.limit, extremes));
             let value = value.map_or_else(String::new, |value| format!(": {value}"));
             Some(format!("{} fails{value}", broken.limit.line(broken.measure)))
         })
@@ -121,7 +123,8 @@ fn mended(tried: &[Tried], now: Option<&str>) -> Option<String> {
         .map(|tried| {
             let at = if tried.words.starts_with("level") { "at " } else { "" };
             let value = tried.found.as_ref().map_or_else(String::new, |found| format!(" ({found})"));
-            let broken = tried.broken.as_ref().map_or_else(String::new, |broken| format!(", but then {broken}"));
+            let broken =
+                tried.broken.as_ref().map_or_else(String::new, |broken| format!(", but then {broken}"));
             format!("{at}{}{value}{broken}", tried.words)
         })
         .collect();

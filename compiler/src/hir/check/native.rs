@@ -172,6 +172,8 @@ impl Checker<'_> {
             Native::Tensor => Type::Ifs,
             Native::Sheet => Type::Figure,
             Native::Chain => Type::Curve,
+            Native::Plane => Type::Plane,
+            Native::Cut => Type::Cut,
             Native::Weighted => return self.weighted(&values[0]),
             Native::Translation
             | Native::ScaleTranslation

@@ -3,7 +3,7 @@
 use super::{Checker, Declared, ImportedMesh, ModuleSource, State, broken};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::hir::index::{DeclarationKind, Index, Target};
-use crate::hir::native::{LATER, Native, natives};
+use crate::hir::native::{Native, natives};
 use crate::hir::tree::ItemId;
 use crate::hir::types::Type;
 use crate::source::{FileId, Span};
@@ -17,8 +17,6 @@ pub(super) enum Symbol {
     Item(ItemId),
     /// A function of the program.
     Native(Native),
-    /// Something of the language that the program cannot do yet.
-    Later,
     /// A name whose import failed; that has been said.
     Lost,
 }
@@ -112,9 +110,6 @@ impl<'a> Checker<'a> {
         if scope.is_library() {
             for native in natives().filter(|native| native.module == source.name) {
                 scope.public.insert(native.name, Symbol::Native(native.native));
-            }
-            for (_, name) in LATER.iter().filter(|(owner, _)| *owner == source.name) {
-                scope.public.insert(name, Symbol::Later);
             }
         }
         for item in &source.ast.items {
