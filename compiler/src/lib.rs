@@ -11,6 +11,7 @@ pub mod fabricate;
 pub mod geometry;
 pub mod hir;
 pub mod ifs;
+pub mod nest;
 pub mod outputs;
 pub mod plan;
 pub mod planarize;
