@@ -3,6 +3,7 @@
 use super::scope::Symbol;
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::index::Target;
 use crate::hir::schema::{Measure, SchemaKind, SettingType};
 use crate::hir::tree::{Expr, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
@@ -143,6 +144,7 @@ impl Checker<'_> {
             self.report(diagnostic.also(first.name_span, "first given here").hint("remove one of them"));
             return None;
         }
+        self.refer(name.span, Target::Setting(kind, setting.name));
         let value = match &setting.ty {
             SettingType::Later => {
                 self.later(&name.text, name.span);
@@ -189,6 +191,7 @@ impl Checker<'_> {
             self.report(Diagnostic::new(Code::E0806, words.span, message).label(label).note(note));
             return None;
         }
+        self.refer(words.span, Target::Measure(measure));
         let limit = match &requirement.limit {
             ast::Limit::Compare(ast::Comparison::NotEqual, value) => {
                 let message = format!("`{}` can be limited, but not kept from one value", words.text);

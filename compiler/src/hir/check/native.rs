@@ -1,5 +1,6 @@
 //! Calls of the functions of the program, and what they give.
 
+use super::fields::Callee;
 use super::items::Parameter;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
@@ -46,7 +47,7 @@ impl Checker<'_> {
                 required: parameter.required,
             })
             .collect();
-        let bound = self.bind(frame, declaration.name, &parameters, arguments, at);
+        let bound = self.bind(frame, Callee::Native(native), &parameters, arguments, at);
         let complete = bound.iter().zip(declaration.parameters).all(|(value, takes)| match value {
             Some(value) => self.takes(declaration.name, value, takes),
             None => !takes.required,

@@ -2,8 +2,10 @@
 
 use super::{Checker, Declared, ModuleSource, State, broken};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::hir::index::{DeclarationKind, Index, Target};
 use crate::hir::native::{LATER, Native, natives};
 use crate::hir::tree::ItemId;
+use crate::hir::types::Type;
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
 use std::collections::{BTreeMap, BTreeSet};
@@ -68,7 +70,7 @@ pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
 }
 
 impl<'a> Checker<'a> {
-    pub(super) fn new(sources: &[ModuleSource<'a>]) -> Self {
+    pub(super) fn new(sources: &[ModuleSource<'a>], index: Option<Index>) -> Self {
         let mut checker = Checker {
             modules: Vec::new(),
             declared: Vec::new(),
@@ -80,6 +82,7 @@ impl<'a> Checker<'a> {
             not_imported: BTreeSet::new(),
             diagnostics: Diagnostics::default(),
             comparisons: 0,
+            index,
         };
         for source in sources {
             checker.declare_module(*source);
@@ -127,6 +130,7 @@ impl<'a> Checker<'a> {
             let id = ItemId(self.items.len() as u32);
             self.items.push(broken(name, &item.docs));
             self.declared.push(Declared { module, item, state: State::Unchecked });
+            self.note(name, DeclarationKind::Item(id), Type::Error, None);
             scope.own.insert(&name.text, id);
             if item.public.is_some() {
                 scope.public.insert(&name.text, Symbol::Item(id));
@@ -147,6 +151,7 @@ impl<'a> Checker<'a> {
                 }
                 continue;
             };
+            self.refer(import.module.span(), Target::Module(self.modules[from].file));
             for name in &import.names {
                 self.import_name(module, from, name);
             }
@@ -170,6 +175,7 @@ impl<'a> Checker<'a> {
             self.lost(module, name, library);
             return;
         };
+        self.refer_symbol(name.span, symbol);
         let scope = &self.modules[module];
         let earlier = scope.imports.get(name.text.as_str()).map(|import| import.span);
         let own = scope.own.get(name.text.as_str()).map(|id| self.items[id.0 as usize].name_span);
