@@ -6,8 +6,8 @@ use crate::export::number::Fixed;
 use crate::export::part::Part;
 use crate::export::report::{
     self, Counts, Distribution, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport, OptionReport,
-    Parameter, PlanarityReport, PlanarizeReport, Quantity, Report, Requirement,
-    SourceReport, SurfaceSummary,
+    Parameter, PlanarityReport, PlanarizeReport, Quantity, ReliefReport, Report, Requirement, SourceReport,
+    SurfaceSummary,
 };
 use crate::fabricate::checks::Limit;
 use crate::fabricate::label::Label;
@@ -25,9 +25,9 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
     let paragraph = docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty());
     out.summary = paragraph.collect::<Vec<_>>().join(" ");
     out.design_hash = design_hash(analysis);
-    let source = |(path, text): (String, &str)| SourceReport {
+    let source = |(path, bytes): (String, &[u8])| SourceReport {
         path,
-        sha256: names::hex(&Sha256::digest(text.as_bytes())),
+        sha256: names::hex(&Sha256::digest(bytes)),
     };
     out.sources = project_sources(analysis).into_iter().map(source).collect();
     out.parameters = parameter_texts(analysis)
@@ -104,6 +104,10 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
         material: material_report(made, masses, &parts),
         counts: Counts { elements: counts.0 + counts.1, made: counts.0, refused: counts.1 },
         planarity,
+        relief: match &made.elements {
+            Elements::Panels(panels) => Some(ReliefReport::of(&panels.corners)),
+            Elements::Planks(_) => None,
+        },
         requirements: made
             .requirements
             .iter()
@@ -159,12 +163,23 @@ fn limits(limit: &LimitValue) -> Vec<(&'static str, f64)> {
 fn requirement_report(analysis: &Analysis, requirement: &RequirementResult) -> Requirement {
     let text =
         analysis.sources.get(requirement.span.file).map_or("", |source| source.slice(requirement.span));
-    let quantity = match requirement.measure {
+    let (measure, limits) = (requirement.measure, limits(&requirement.limit));
+    Requirement::of(text, measure.words(), quantity(measure), &limits, &requirement.result)
+}
+
+/// The quantity that a measure is of.
+fn quantity(measure: Measure) -> Quantity {
+    match measure {
         Measure::Planarity => Quantity::Planarity,
-        Measure::Mitre => Quantity::Angle,
-        Measure::Edge | Measure::Length | Measure::Overlap | Measure::BendRadius => Quantity::Length,
-    };
-    Requirement::of(text, quantity, &limits(&requirement.limit), &requirement.result)
+        Measure::DiagonalRatio => Quantity::Ratio,
+        Measure::Fold | Measure::Angle | Measure::Mitre | Measure::Bevel => Quantity::Angle,
+        Measure::Edge | Measure::Length | Measure::Width | Measure::BendRadius | Measure::Overlap => {
+            Quantity::Length
+        }
+        Measure::Area => Quantity::Area,
+        Measure::Mass => Quantity::Mass,
+        Measure::Count => Quantity::Count,
+    }
 }
 
 /// All surfaces of a block together; planarizing is told for each of them in turn.

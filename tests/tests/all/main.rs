@@ -11,6 +11,8 @@ mod figures;
 mod fmt;
 mod format;
 mod html;
+mod imported;
+mod index;
 mod killing;
 mod library;
 mod maps;

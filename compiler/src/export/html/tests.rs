@@ -56,6 +56,7 @@ fn page(rows: usize, columns: usize, name: &str) -> String {
 /// The tags of a page in order; text between them must have nothing of a tag left.
 fn tags(page: &str) -> Vec<String> {
     let mut tags = Vec::new();
+    let (_, page) = page.split_once("</style>").unwrap();
     for part in page.split('<').skip(1) {
         let (tag, text) = part.split_once('>').unwrap();
         assert!(!text.contains('>'), "a lone > in {text:?}");

@@ -98,6 +98,8 @@ fn unit(requirement: &Requirement) -> &'static str {
     match requirement.unit {
         Some("mm") => " mm",
         Some("deg") => "°",
+        Some("m2") => " m²",
+        Some("kg") => " kg",
         Some(other) => other,
         None => "",
     }
