@@ -140,7 +140,7 @@ codes! {
     E0542 Error "a stated join does not hold",
     E0543 Error "a join of things that cannot be compared",
     E0544 Error "a stated join could not be proved",
-    E0545 Error "a join leaves open which piece of a boundary is meant",
+    E0545 Error "a join leaves open which piece is meant",
     W0546 Warning "a join holds only to within rounding",
 
     // Values.

@@ -26,7 +26,7 @@ mod transform;
 mod until;
 mod vectors;
 
-pub use boundary::InstanceBoundary;
+pub use boundary::{InstanceBoundary, InstanceJoin, InstanceJoinPart};
 pub use budget::MOST_ELEMENTS;
 pub use expression::{quantity_words, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
