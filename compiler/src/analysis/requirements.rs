@@ -1,6 +1,6 @@
 //! Requirements: their limits worked out, and the diagnostic at the line that asked when one fails.
 
-use super::fabrication::Fabrication;
+use super::fabrication::{Elements, Fabrication};
 use super::mend::Remedies;
 use super::settings;
 use crate::diagnostic::{Code, Diagnostic};
@@ -110,8 +110,31 @@ pub(super) fn evaluate_limit(
 /// A diagnostic for each requirement of a block that fails.
 pub(super) fn diagnostics(fabrication: &Fabrication, remedies: &Remedies<'_>) -> Vec<Diagnostic> {
     let requirements = fabrication.requirements.iter().enumerate();
-    let failing = requirements.filter(|(_, requirement)| !requirement.result.holds());
-    failing.map(|(place, requirement)| failure(fabrication, place, requirement, remedies)).collect()
+    requirements
+        .filter_map(|(place, requirement)| match requirement.result.holds() {
+            false => Some(failure(fabrication, place, requirement, remedies)),
+            true => unmeasured(fabrication, requirement),
+        })
+        .collect()
+}
+
+/// Joints of neighbours that have none: a requirement that holds whatever it asks for.
+fn unmeasured(fabrication: &Fabrication, requirement: &RequirementResult) -> Option<Diagnostic> {
+    let Elements::Planks(planks) = &fabrication.elements else { return None };
+    if requirement.measure != Measure::Overlap || requirement.result.total > 0 {
+        return None;
+    }
+    let name = &fabrication.figure;
+    let why = match planks.figures.len() {
+        1 => format!("`{name}` is one curve, which has no neighbour"),
+        _ => format!("no two neighbours of `{name}` both have joints between planks"),
+    };
+    let message = format!("`require overlap` has nothing to measure: {why}");
+    let diagnostic =
+        Diagnostic::new(Code::W0608, requirement.span, message).label("holds whatever it asks for");
+    Some(diagnostic.hint(
+        "a list of curves has neighbours: `figure vault = [arch(i) for i in 0..5]`; else take the line out",
+    ))
 }
 
 fn failure(

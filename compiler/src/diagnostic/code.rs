@@ -151,6 +151,7 @@ codes! {
     E0605 Error "an unknown parameter is set",
     E0606 Error "a text that is no value of the parameter's type",
     E0607 Error "a range that is empty or has no end",
+    W0608 Warning "a requirement that measures nothing",
 
     // Limits.
     E0701 Error "more elements than the limit",

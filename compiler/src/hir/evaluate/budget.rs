@@ -94,12 +94,19 @@ impl Evaluator<'_> {
         }
         if !self.budget.exhausted {
             self.budget.exhausted = true;
-            let message = format!("calls are nested more than {DEEPEST} deep");
-            let call = self.calls.last().copied().unwrap_or(span);
-            let diagnostic = Diagnostic::new(Code::E0703, call, message).label("given up here");
-            self.report(
-                diagnostic.hint("a function that calls itself needs an end: `if n <= 0 then … else …`"),
-            );
+            let (message, at, hint) = match self.calls.last() {
+                Some(call) => (
+                    format!("calls are nested more than {DEEPEST} deep"),
+                    call.span,
+                    "a function that calls itself needs an end: `if n <= 0 then … else …`",
+                ),
+                None => (
+                    format!("values that wait for each other are nested more than {DEEPEST} deep"),
+                    span,
+                    "write each value before those that are made of it: then none has to wait",
+                ),
+            };
+            self.report(Diagnostic::new(Code::E0703, at, message).label("given up here").hint(hint));
         }
         self.budget.depth -= 1;
         Err(Stop::Reported)
