@@ -12,6 +12,7 @@ pub mod geometry;
 pub mod gltf;
 pub mod hir;
 pub mod ifs;
+pub mod nest;
 pub mod outputs;
 pub mod plan;
 pub mod planarize;

@@ -11,6 +11,7 @@ mod figures;
 mod fmt;
 mod format;
 mod imported;
+mod index;
 mod killing;
 mod library;
 mod maps;

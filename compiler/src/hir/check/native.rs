@@ -1,5 +1,6 @@
 //! Calls of the functions of the program, and what they give.
 
+use super::fields::Callee;
 use super::items::Parameter;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
@@ -49,7 +50,7 @@ impl Checker<'_> {
                 required: parameter.required,
             })
             .collect();
-        let bound = self.bind(frame, declaration.name, &parameters, arguments, at);
+        let bound = self.bind(frame, Callee::Native(native), &parameters, arguments, at);
         let complete = bound.iter().zip(declaration.parameters).all(|(value, takes)| match value {
             Some(value) => self.takes(declaration.name, value, takes),
             None => !takes.required,
@@ -171,6 +172,8 @@ impl Checker<'_> {
             Native::Tensor => Type::Ifs,
             Native::Sheet => Type::Figure,
             Native::Chain => Type::Curve,
+            Native::Plane => Type::Plane,
+            Native::Cut => Type::Cut,
             Native::Weighted => return self.weighted(&values[0]),
             Native::Translation
             | Native::ScaleTranslation

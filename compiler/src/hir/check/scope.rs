@@ -2,8 +2,10 @@
 
 use super::{Checker, Declared, ImportedMesh, ModuleSource, State, broken};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
-use crate::hir::native::{LATER, Native, natives};
+use crate::hir::index::{DeclarationKind, Index, Target};
+use crate::hir::native::{Native, natives};
 use crate::hir::tree::ItemId;
+use crate::hir::types::Type;
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,8 +17,6 @@ pub(super) enum Symbol {
     Item(ItemId),
     /// A function of the program.
     Native(Native),
-    /// Something of the language that the program cannot do yet.
-    Later,
     /// A name whose import failed; that has been said.
     Lost,
 }
@@ -69,7 +69,7 @@ pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
 }
 
 impl<'a> Checker<'a> {
-    pub(super) fn new(sources: &[ModuleSource<'a>]) -> Self {
+    pub(super) fn new(sources: &[ModuleSource<'a>], index: Option<Index>) -> Self {
         let mut checker = Checker {
             modules: Vec::new(),
             declared: Vec::new(),
@@ -81,6 +81,7 @@ impl<'a> Checker<'a> {
             not_imported: BTreeSet::new(),
             diagnostics: Diagnostics::default(),
             comparisons: 0,
+            index,
         };
         for source in sources {
             checker.declare_module(*source);
@@ -110,9 +111,6 @@ impl<'a> Checker<'a> {
             for native in natives().filter(|native| native.module == source.name) {
                 scope.public.insert(native.name, Symbol::Native(native.native));
             }
-            for (_, name) in LATER.iter().filter(|(owner, _)| *owner == source.name) {
-                scope.public.insert(name, Symbol::Later);
-            }
         }
         for item in &source.ast.items {
             let Some(name) = item_name(item) else { continue };
@@ -129,6 +127,7 @@ impl<'a> Checker<'a> {
             let id = ItemId(self.items.len() as u32);
             self.items.push(broken(name, &item.docs));
             self.declared.push(Declared { module, item, state: State::Unchecked });
+            self.note(name, DeclarationKind::Item(id), Type::Error, None);
             scope.own.insert(&name.text, id);
             if item.public.is_some() {
                 scope.public.insert(&name.text, Symbol::Item(id));
@@ -149,6 +148,7 @@ impl<'a> Checker<'a> {
                 }
                 continue;
             };
+            self.refer(import.module.span(), Target::Module(self.modules[from].file));
             for name in &import.names {
                 self.import_name(module, from, name);
             }
@@ -172,6 +172,7 @@ impl<'a> Checker<'a> {
             self.lost(module, name, library);
             return;
         };
+        self.refer_symbol(name.span, symbol);
         let scope = &self.modules[module];
         let earlier = scope.imports.get(name.text.as_str()).map(|import| import.span);
         let own = scope.own.get(name.text.as_str()).map(|id| self.items[id.0 as usize].name_span);
