@@ -11,6 +11,9 @@ pub const MOST_ELEMENTS: usize = 1_000_000;
 /// How deeply calls and expressions may be nested while they are worked out.
 const DEEPEST: u32 = 5_000;
 
+/// With so many values waiting for each other, it is they that are nested too deeply, not calls.
+const MANY_OPEN: usize = 500;
+
 #[derive(Default)]
 pub(super) struct Budget {
     steps: u64,
@@ -99,17 +102,18 @@ impl Evaluator<'_> {
         }
         if !self.budget.exhausted {
             self.budget.exhausted = true;
-            let (message, at, hint) = match self.calls.last() {
-                Some(call) => (
-                    format!("calls are nested more than {DEEPEST} deep"),
-                    call.span,
-                    "a function that calls itself needs an end: `if n <= 0 then … else …`",
-                ),
-                None => (
+            let (message, at, hint) = if self.open.len() > MANY_OPEN {
+                (
                     format!("values that wait for each other are nested more than {DEEPEST} deep"),
                     span,
                     "write each value before those that are made of it: then none has to wait",
-                ),
+                )
+            } else {
+                (
+                    format!("calls are nested more than {DEEPEST} deep"),
+                    self.calls.last().map_or(span, |call| call.span),
+                    "a function that calls itself needs an end: `if n <= 0 then … else …`",
+                )
             };
             self.report(Diagnostic::new(Code::E0703, at, message).label("given up here").hint(hint));
         }

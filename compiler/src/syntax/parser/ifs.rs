@@ -102,6 +102,7 @@ fn path<'s>(expressions: &Expressions<'s>) -> Rule<'s, Vec<JoinPart>> {
         .whole
         .clone()
         .map(|member| member.expr)
+        .then_ignore(token(TokenKind::Comma).or_not())
         .delimited_by(token(TokenKind::OpenBracket), token(TokenKind::CloseBracket));
     let part = name().then(member.or_not()).map(|(name, member)| JoinPart { name, member }).boxed();
     part.clone()
