@@ -3,7 +3,7 @@
 use super::{Remedies, Remedy};
 use crate::analysis::fabrication::{Elements, Fabrication};
 use crate::analysis::requirements::{LimitValue, RequirementResult, evaluate_limit};
-use crate::analysis::{measures, settings};
+use crate::analysis::{measures, settings, value_words};
 use crate::fabricate::checks::Limit;
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::{Evaluator, quantity_words};
@@ -35,6 +35,10 @@ impl Remedies<'_> {
     pub(super) fn thinner(&self, fabrication: &Fabrication, place: usize) -> Option<Remedy> {
         let Elements::Panels(made) = &fabrication.elements else { return None };
         let block = self.hir.fabricates.iter().find(|block| self.hir.item(block.figure).name == fabrication.figure)?;
+        let asked = fabrication.requirements.get(place)?;
+        if asked.measure == Measure::Mass && asked.result.below > 0 {
+            return None;
+        }
         let given = block.settings.iter().find(|setting| setting.name == "material")?;
         let (call, thickness_at) = call_with_thickness(self.hir, &given.value)?;
         let now = made.settings.material.thickness?;
@@ -48,8 +52,7 @@ impl Remedies<'_> {
             };
             if tried.requirement.result.holds() {
                 return Some(Remedy::mends(format!(
-                    "boards {} thick do: `{}`",
-                    quantity_words(tried.thickness, Dimension::LENGTH),
+                    "thinner boards do: `{}`",
                     call_words(self.hir, &call, tried.thickness)
                 )));
             }
@@ -62,12 +65,12 @@ impl Remedies<'_> {
         changes.then(|| {
             let worst = tried.requirement.result.measured.first();
             let worst = worst.map_or_else(String::new, |worst| {
-                let value = super::super::requirements::value_words(requirement.measure, worst.value);
+                let value = value_words(requirement.measure, worst.value);
                 let place = if worst.place.is_empty() { String::new() } else { format!(", {}", worst.place) };
                 format!(" ({} has {value}{place})", worst.alias)
             });
             Remedy::falls_short(format!(
-                "thinner boards are not enough: at {} {} of {} still fail{worst}",
+                "thinner boards are not enough: with {} {} of {} still fail{worst}",
                 quantity_words(tried.thickness, Dimension::LENGTH),
                 tried.requirement.result.failing,
                 tried.requirement.result.total
