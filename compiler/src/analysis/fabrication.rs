@@ -11,7 +11,7 @@ use super::requirements::{LimitValue, RequirementResult, conflicts, evaluate_lim
 use super::settings::{self, SettingValue};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
-use crate::fabricate::panel::{Panel, PanelRefusal, PanelSettings, RefusedPanel};
+use crate::fabricate::panel::{Corner, Panel, PanelRefusal, PanelSettings, RefusedPanel};
 use crate::fabricate::plank::{Plank, PlankRefusal, PlankSettings, RefusedPlank};
 use crate::geometry::QuadMesh;
 use crate::hir::evaluate::Evaluator;
@@ -90,6 +90,8 @@ pub struct PanelsMade {
     pub panels: Vec<Panel>,
     /// Quads no board can be made for.
     pub refused: Vec<RefusedPanel>,
+    /// The corners where boards have to be cut back.
+    pub corners: Vec<Corner>,
 }
 
 /// One surface of a block.
@@ -143,7 +145,15 @@ pub(super) fn fabricate(
     block: &Fabricate,
 ) -> (Option<Fabrication>, Vec<Diagnostic>) {
     let leave_unplanarized = evaluator.leaves_unplanarized();
-    let mut work = Work { hir, plan, block, scale: 1.0, settings: Vec::new(), diagnostics: Vec::new(), leave_unplanarized };
+    let mut work = Work {
+        hir,
+        plan,
+        block,
+        scale: 1.0,
+        settings: Vec::new(),
+        diagnostics: Vec::new(),
+        leave_unplanarized,
+    };
     let made = work.run(evaluator);
     (made, work.diagnostics)
 }
@@ -204,7 +214,8 @@ impl Work<'_> {
         if let Some(mass) = mass.filter(|_| material.density.is_none()) {
             let message = format!("the mass is not known: {} has no density", material.name);
             let diagnostic = Diagnostic::new(Code::E0832, mass.span, message).label("cannot be measured");
-            let hint = "give the record of the material a field `density`, such as `density: Density = 450kg/m3`";
+            let hint =
+                "give the record of the material a field `density`, such as `density: Density = 450kg/m3`";
             self.diagnostics.push(diagnostic.hint(hint));
             return None;
         }

@@ -129,6 +129,16 @@ fn numbers(values: &[f64]) -> Option<Value> {
     Some(Value::List(Arc::new(list?)))
 }
 
+fn whole(value: u32) -> Option<Value> {
+    Some(Value::Scalar(Scalar::integer(i64::from(value))))
+}
+
+/// Addresses, an empty text where there is none.
+fn texts(values: &[Option<String>]) -> Option<Value> {
+    let texts = values.iter().map(|text| Value::Text(text.as_deref().unwrap_or_default().into()));
+    Some(Value::List(Arc::new(texts.collect())))
+}
+
 fn board(hir: &Hir, record: ItemId, panel: &Panel) -> Option<Value> {
     let size = panel.size();
     filled(hir, record, |field| match field {
@@ -142,7 +152,13 @@ fn board(hir: &Hir, record: ItemId, panel: &Panel) -> Option<Value> {
         "least_width" => number(panel.least_width()),
         "edges" => numbers(&panel.edges),
         "angles" => numbers(&panel.angles()),
-        "bevels" => numbers(&panel.bevels.iter().flatten().map(|bevel| bevel.abs()).collect::<Vec<f64>>()),
+        // On the border there is none.
+        "bevels" => numbers(&panel.bevels.map(|bevel| bevel.unwrap_or(0.0))),
+        "neighbours" => texts(&panel.neighbours),
+        "relief" => numbers(&panel.relief),
+        "corner_gaps" => numbers(&panel.corner_gaps),
+        "ring" => whole(panel.ring),
+        "order" => whole(panel.order),
         "diagonal" => number(panel.diagonal),
         // The diagonals of a convex quad are never parallel.
         "diagonal_ratio" => number(panel.diagonal_ratio.unwrap_or(0.0)),
@@ -164,6 +180,10 @@ fn plank(hir: &Hir, record: ItemId, plank: &Plank) -> Option<Value> {
         "width" => number(plank.width),
         "mass" => number(plank.mass.unwrap_or(0.0)),
         "mitres" => numbers(&plank.mitres.map(f64::abs)),
+        "bevels" => numbers(&plank.bevels.map(f64::abs)),
+        "neighbours" => texts(&plank.neighbours),
+        "ring" => whole(plank.ring),
+        "order" => whole(plank.order),
         _ => None,
     })
 }

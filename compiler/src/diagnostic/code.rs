@@ -130,6 +130,9 @@ codes! {
     E0553 Error "`each until` where elements are joined",
     E0554 Error "elements that have no such size",
     E0555 Error "a mesh whose faces do not fit its points",
+    E0556 Error "a file that gives no mesh",
+    E0557 Error "the path of a mesh that is not written out",
+    E0558 Error "a mesh beyond a limit",
 
     // Boundaries and stated joins.
     E0540 Error "a join names what is not there",
@@ -183,6 +186,9 @@ codes! {
     E0834 Error "elements larger than the raw board or bar",
     E0835 Error "two requirements that exclude each other",
     E0836 Error "a requirement that nothing can hold",
+
+    // End cuts and edges.
+    E0850 Error "an end cut that the machine cannot make",
 
     // NC programs.
     E0901 Error "an NC program that cannot be made",

@@ -22,7 +22,8 @@ pub fn least_width(points: &[DVec2]) -> f64 {
         for &to in &points[index + 1..] {
             let Some(along) = (to - from).try_normalize() else { continue };
             let heights = points.iter().map(|&point| along.perp_dot(point - from));
-            let (low, high) = heights.fold((0.0f64, 0.0f64), |(low, high), height| (low.min(height), high.max(height)));
+            let (low, high) =
+                heights.fold((0.0f64, 0.0f64), |(low, high), height| (low.min(height), high.max(height)));
             least = least.min(high - low);
         }
     }

@@ -50,7 +50,7 @@ impl ChoiceKind {
     pub fn words(self) -> &'static [Word] {
         const SIDE: &[Word] = &[now("inner"), now("centred"), now("outer")];
         const GRAIN: &[Word] = &[now("u"), now("v"), now("free")];
-        const EDGES: &[Word] = &[now("square"), later("bevelled"), later("stepped")];
+        const EDGES: &[Word] = &[now("square"), now("bevelled"), now("stepped")];
         const ENDS: &[Word] = &[now("square"), now("mitred")];
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];
@@ -168,6 +168,13 @@ fn planks() -> Vec<Setting> {
         setting("section", Type::Size, true, "depth, in the plane of the curve, by width"),
         setting("stock", Type::LENGTH, false, "the length of a raw bar"),
         setting("ends", Type::Choice(ChoiceKind::Ends), false, "how the ends at joints are cut"),
+        setting(
+            "first",
+            Type::Cut,
+            false,
+            "where the first plank of a curve begins: square, or cut to a plane",
+        ),
+        setting("last", Type::Cut, false, "where the last plank of a curve ends: square, or cut to a plane"),
         setting("gap", Type::LENGTH, false, "how much each side of a joint is shortened"),
     ];
     settings.extend(shop());

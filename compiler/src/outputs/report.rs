@@ -6,7 +6,7 @@ use crate::export::number::Fixed;
 use crate::export::part::Part;
 use crate::export::report::{
     self, Counts, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport, OptionReport,
-    Parameter, PlanarityReport, PlanarizeReport, Quantity, Report, Requirement, SurfaceSummary,
+    Parameter, PlanarityReport, PlanarizeReport, Quantity, ReliefReport, Report, Requirement, SurfaceSummary,
 };
 use crate::fabricate::label::Label;
 use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
@@ -96,6 +96,10 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
         },
         counts: Counts { elements: counts.0 + counts.1, made: counts.0, refused: counts.1 },
         planarity,
+        relief: match &made.elements {
+            Elements::Panels(panels) => Some(ReliefReport::of(&panels.corners)),
+            Elements::Planks(_) => None,
+        },
         requirements: made
             .requirements
             .iter()

@@ -69,7 +69,8 @@ fn what_is_measured_numpy_and_shapely_measure_too() {
     let folder = scratch("requirements");
     let saddle = "(i * 0.5m + j * 60mm, j * 0.4m - i * 30mm, 0.12m * (i - 2) * (j - 3))";
     let dome = "(i * 0.5m, j * 0.7m, 0.08m * (i * (4 - i) + j * (5 - j)))";
-    let rough = "(i * 0.5m + 40mm * sin(70deg * i * j), j * 0.5m + 30mm * cos(50deg * j * i), 0.1m * sin(90deg * i))";
+    let rough =
+        "(i * 0.5m + 40mm * sin(70deg * i * j), j * 0.5m + 30mm * cos(50deg * j * i), 0.1m * sin(90deg * i))";
     let designs = [
         ("saddle_u", panels(saddle, 1, "grain: u")),
         ("saddle_v", panels(saddle, 2, "grain: v")),
@@ -77,13 +78,17 @@ fn what_is_measured_numpy_and_shapely_measure_too() {
         ("dome_flat", panels(dome, 1, "grain: u planarize: { iterations: 20, pin: none }")),
         ("rough", panels(rough, 2, "grain: free side: outer")),
         ("arch", planks("bezier3 on ((0m, 0m), (0m, 3m), (5m, 3m), (4m, 0m)) at level 3")),
-        ("ring", planks("chain(bspline2, [(0m, 0m), (3m, 0m), (4m, 3m), (0m, 2m)], closed: true) at level 2")),
+        (
+            "ring",
+            planks("chain(bspline2, [(0m, 0m), (3m, 0m), (4m, 3m), (0m, 2m)], closed: true) at level 2"),
+        ),
     ];
     for (name, text) in &designs {
         let out = built(&folder, name, text);
         let verdict = python_referee("figures.py", &[&out]);
         assert!(verdict.good, "{name}: {}", verdict.faults);
-        let report: Value = serde_json::from_str(&fs::read_to_string(out.join("report.json")).unwrap()).unwrap();
+        let report: Value =
+            serde_json::from_str(&fs::read_to_string(out.join("report.json")).unwrap()).unwrap();
         let asked = report["fabrications"][0]["requirements"].as_array().unwrap();
         assert_eq!(asked.len(), text.matches("require").count());
         // Another figure in the report is seen.
@@ -98,7 +103,11 @@ fn what_is_measured_numpy_and_shapely_measure_too() {
             fs::write(out.join("report.json"), other.to_string()).unwrap();
             let verdict = python_referee("figures.py", &[&out]);
             let said = format!("require {measure} ");
-            assert!(verdict.faults.contains(&said), "{name}: another {measure} was taken: {}", verdict.faults);
+            assert!(
+                verdict.faults.contains(&said),
+                "{name}: another {measure} was taken: {}",
+                verdict.faults
+            );
         }
     }
 }
@@ -112,7 +121,8 @@ fn hints(text: &str, code: Code) -> Vec<String> {
     let analysis = analysed(text);
     let said: Vec<String> = analysis.diagnostics.iter().map(|found| found.message.clone()).collect();
     let found = analysis.diagnostics.iter().find(|found| found.code == code);
-    let found = found.unwrap_or_else(|| std::panic::panic_any(format!("{} is not said: {said:?}", code.name())));
+    let found =
+        found.unwrap_or_else(|| std::panic::panic_any(format!("{} is not said: {said:?}", code.name())));
     found.hints.iter().map(|hint| hint.text.clone()).collect()
 }
 
@@ -139,9 +149,15 @@ fn levels_between_which_a_range_lies_are_both_told() {
 fn a_level_that_mends_one_and_breaks_another_says_so() {
     let both = "board: 3m by 3m require edge <= 300mm require count <= 20";
     let said = hints(&roof("", PLATES, 1, both), Code::E0811);
-    assert_eq!(said[0], "it holds at level 2 (250mm), but then `require count <= 20` fails: 64; now it is level 1");
+    assert_eq!(
+        said[0],
+        "it holds at level 2 (250mm), but then `require count <= 20` fails: 64; now it is level 1"
+    );
     let free = "board: 3m by 3m require edge <= 300mm require count <= 64";
-    assert_eq!(hints(&roof("", PLATES, 1, free), Code::E0811)[0], "it holds at level 2 (250mm); now it is level 1");
+    assert_eq!(
+        hints(&roof("", PLATES, 1, free), Code::E0811)[0],
+        "it holds at level 2 (250mm); now it is level 1"
+    );
 }
 
 #[test]
@@ -160,7 +176,8 @@ fn the_nearest_value_of_a_parameter_is_found_in_steps_and_by_halving() {
     let near = "param bay: Length = 1m in 500mm .. 2m";
     let said = hints(&roof(near, bay, 1, "board: 3m by 3m require area <= 0.1m2"), Code::E0819);
     assert!(said.iter().any(|hint| hint.contains("500mm, the best that was tried, gives")), "{said:?}");
-    let loose = hints(&roof("param bay: Length = 1m", bay, 1, "board: 3m by 3m require mass >= 1000kg"), Code::E0832);
+    let loose =
+        hints(&roof("param bay: Length = 1m", bay, 1, "board: 3m by 3m require mass >= 1000kg"), Code::E0832);
     assert!(loose.last().unwrap().contains("param bay: … = … in … .. …"), "{loose:?}");
 }
 
@@ -171,7 +188,10 @@ fn thickness_density_grain_and_stock_are_told_in_numbers() {
     assert!(said.contains(&"thinner boards do: `birch_plywood(8.5mm)`".to_owned()), "{said:?}");
     assert!(said.iter().any(|hint| hint.starts_with("a material of 500kg/m3 is light enough")), "{said:?}");
     let none = hints(&roof("", PLATES, 0, "board: 3m by 3m require mass <= 1kg"), Code::E0832);
-    assert!(none.iter().any(|hint| hint.starts_with("thinner boards are not enough: with 6.5mm")), "{none:?}");
+    assert!(
+        none.iter().any(|hint| hint.starts_with("thinner boards are not enough: with 6.5mm")),
+        "{none:?}"
+    );
     let wide = "(i * 1m, j * 2m, 0m)";
     let said = hints(&roof("", wide, 0, "board: 2500mm by 1250mm grain: u"), Code::E0834);
     assert!(said.contains(&"with `grain: v` they fit the raw boards there are".to_owned()), "{said:?}");
@@ -187,7 +207,8 @@ fn boards_that_bend_too_far_are_told_how_thin_they_must_be() {
     let asked = "board: 3m by 3m grain: u require bend radius >= material.min_bend_radius";
     let text = roof("", twisted, 1, asked);
     let said = hints(&text, Code::E0815);
-    let thin = said.iter().find_map(|hint| hint.strip_prefix("thinner boards do: `")).unwrap().trim_end_matches('`');
+    let thin =
+        said.iter().find_map(|hint| hint.strip_prefix("thinner boards do: `")).unwrap().trim_end_matches('`');
     assert!(!analysed(&text.replace("birch_plywood(12mm)", thin)).has_errors(), "{thin}");
 }
 

@@ -10,13 +10,22 @@ use crate::source::Span;
 
 impl Work<'_> {
     pub(super) fn refused_panels(&mut self, refused: &[RefusedPanel]) {
-        let named: Vec<(&Label, String)> = refused
-            .iter()
-            .filter(|refusal| !matches!(refusal.reason, PanelRefusal::TooLarge { .. }))
-            .map(|refusal| (&refusal.label, refusal.reason.to_string()))
-            .collect();
-        let hint = "move the control points so that the quads there are convex";
-        self.refused_elements(&named, self.block.figure_span, hint);
+        let large = |refusal: &&RefusedPanel| matches!(refusal.reason, PanelRefusal::TooLarge { .. });
+        let eaten = |refusal: &&RefusedPanel| {
+            matches!(refusal.reason, PanelRefusal::SideVanishes { .. } | PanelRefusal::NoCorner { .. })
+        };
+        let eaten_up: Vec<&RefusedPanel> = refused.iter().filter(eaten).collect();
+        let others: Vec<&RefusedPanel> =
+            refused.iter().filter(|refusal| !large(refusal) && !eaten(refusal)).collect();
+        let edges = self.setting("edges").map_or(self.block.figure_span, |(_, _, span)| *span);
+        for (group, span, hint) in [
+            (eaten_up, edges, "use a thinner material, a lower level (larger boards), or `edges: square`"),
+            (others, self.block.figure_span, "move the control points so that the quads there are convex"),
+        ] {
+            let named: Vec<(&Label, String)> =
+                group.iter().map(|refusal| (&refusal.label, refusal.reason.to_string())).collect();
+            self.refused_elements(&named, span, hint);
+        }
     }
 
     pub(super) fn refused_planks(&mut self, refused: &[RefusedPlank]) {
@@ -27,6 +36,16 @@ impl Work<'_> {
                 section,
                 "use a smaller depth, or a lower level: the planks get longer",
                 cuts_cross as fn(&PlankRefusal) -> bool,
+            ),
+            (
+                place("ends"),
+                "let the curve turn less at the joint, or write `ends: square`; a plane is to cross the plank",
+                too_steep,
+            ),
+            (
+                place("gap"),
+                "use a smaller gap, or a lower level; a plane is to cross the first or the last plank",
+                nothing_left,
             ),
             (figure, "move the control points apart, or use a lower level", no_length),
         ] {
@@ -54,6 +73,14 @@ impl Work<'_> {
 
 fn cuts_cross(reason: &PlankRefusal) -> bool {
     matches!(reason, PlankRefusal::CutsCross { .. })
+}
+
+fn too_steep(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::TooSteep { .. })
+}
+
+fn nothing_left(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::NothingLeft { .. })
 }
 
 fn no_length(reason: &PlankRefusal) -> bool {

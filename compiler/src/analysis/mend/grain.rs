@@ -12,7 +12,9 @@ const MOST_BOARDS: usize = 20_000;
 /// The other directions of the grain, with the words for them.
 pub(super) fn others(made: &PanelsMade) -> impl Iterator<Item = (Grain, &'static str)> {
     let now = made.settings.grain;
-    [(Grain::U, "u"), (Grain::V, "v"), (Grain::Free, "free")].into_iter().filter(move |(grain, _)| *grain != now)
+    [(Grain::U, "u"), (Grain::V, "v"), (Grain::Free, "free")]
+        .into_iter()
+        .filter(move |(grain, _)| *grain != now)
 }
 
 /// The same boards with their grain in another direction; `None` where there are too many of them.
@@ -47,7 +49,9 @@ pub(super) fn turned(fabrication: &Fabrication, requirement: &RequirementResult)
     }
     let (failing, name, total) = best?;
     if failing == 0 {
-        return Some(Remedy::mends(format!("with `grain: {name}` all {total} boards bend as far as they must")));
+        return Some(Remedy::mends(format!(
+            "with `grain: {name}` all {total} boards bend as far as they must"
+        )));
     }
     let fewer = failing < requirement.result.failing;
     fewer.then(|| Remedy::falls_short(format!("with `grain: {name}` {failing} of {total} would fail")))

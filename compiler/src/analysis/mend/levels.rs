@@ -89,7 +89,8 @@ impl Remedies<'_> {
             let requirements = now.requirements.iter().zip(&then.requirements);
             let mut judged = requirements.filter(|(now, _)| variant.planarized || !now.measure.is_flatness());
             let (_, broken) = judged.find(|(now, then)| now.result.holds() && !then.result.holds())?;
-            let value = broken.result.extremes.map(|extremes| found_words(broken.measure, &broken.limit, extremes));
+            let value =
+                broken.result.extremes.map(|extremes| found_words(broken.measure, &broken.limit, extremes));
             let value = value.map_or_else(String::new, |value| format!(": {value}"));
             Some(format!("{} fails{value}", broken.limit.line(broken.measure)))
         })
@@ -120,7 +121,8 @@ fn mended(tried: &[Tried], now: Option<&str>) -> Option<String> {
         .map(|tried| {
             let at = if tried.words.starts_with("level") { "at " } else { "" };
             let value = tried.found.as_ref().map_or_else(String::new, |found| format!(" ({found})"));
-            let broken = tried.broken.as_ref().map_or_else(String::new, |broken| format!(", but then {broken}"));
+            let broken =
+                tried.broken.as_ref().map_or_else(String::new, |broken| format!(", but then {broken}"));
             format!("{at}{}{value}{broken}", tried.words)
         })
         .collect();

@@ -34,7 +34,11 @@ impl Remedies<'_> {
     /// where there is none, what the thinnest board gives that the material comes in.
     pub(super) fn thinner(&self, fabrication: &Fabrication, place: usize) -> Option<Remedy> {
         let Elements::Panels(made) = &fabrication.elements else { return None };
-        let block = self.hir.fabricates.iter().find(|block| self.hir.item(block.figure).name == fabrication.figure)?;
+        let block = self
+            .hir
+            .fabricates
+            .iter()
+            .find(|block| self.hir.item(block.figure).name == fabrication.figure)?;
         let asked = fabrication.requirements.get(place)?;
         if asked.measure == Measure::Mass && asked.result.below > 0 {
             return None;
@@ -47,7 +51,9 @@ impl Remedies<'_> {
         let mut thinnest: Option<Tried> = None;
         for step in (1..=start).rev().take(usize::try_from(tries).ok()?) {
             let thickness = Scalar::integer(step * TENTHS).over(&Scalar::integer(10)).ok()?;
-            let Some(tried) = self.with_thickness(fabrication, block, place, (&call, thickness_at), thickness) else {
+            let Some(tried) =
+                self.with_thickness(fabrication, block, place, (&call, thickness_at), thickness)
+            else {
                 break;
             };
             if tried.requirement.result.holds() {
@@ -61,7 +67,8 @@ impl Remedies<'_> {
         // A limit that does not ask for the material's own is missed by as much at every thickness.
         let tried = thinnest?;
         let requirement = &fabrication.requirements[place];
-        let changes = tried.requirement.result != requirement.result || tried.requirement.limit != requirement.limit;
+        let changes =
+            tried.requirement.result != requirement.result || tried.requirement.limit != requirement.limit;
         changes.then(|| {
             let worst = tried.requirement.result.measured.first();
             let worst = worst.map_or_else(String::new, |worst| {
@@ -117,8 +124,10 @@ pub(super) fn lighter(fabrication: &Fabrication, requirement: &RequirementResult
         Elements::Panels(made) => made.settings.material.density?,
         Elements::Planks(made) => made.settings.material.density?,
     };
-    let (LimitValue::Plain(Limit::AtMost(most) | Limit::Within(_, most) | Limit::Below(most)), Some((_, heaviest))) =
-        (requirement.limit, requirement.result.extremes)
+    let (
+        LimitValue::Plain(Limit::AtMost(most) | Limit::Within(_, most) | Limit::Below(most)),
+        Some((_, heaviest)),
+    ) = (requirement.limit, requirement.result.extremes)
     else {
         return None;
     };
@@ -129,7 +138,9 @@ pub(super) fn lighter(fabrication: &Fabrication, requirement: &RequirementResult
     let enough = (density * 1e9 * most / heaviest).floor();
     let now = (density * 1e9).round();
     (enough >= 50.0).then(|| {
-        Remedy::mends(format!("a material of {enough}kg/m3 is light enough at the same size; now it is {now}kg/m3"))
+        Remedy::mends(format!(
+            "a material of {enough}kg/m3 is light enough at the same size; now it is {now}kg/m3"
+        ))
     })
 }
 

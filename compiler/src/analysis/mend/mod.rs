@@ -144,7 +144,9 @@ fn flatter(fabrication: &Fabrication, requirement: &RequirementResult) -> Option
         _ => return None,
     };
     if too_flat && measure == Measure::Planarity {
-        return Some(Remedy::mends("1 is flat: to ask for flat boards write `require planarity >= 0.9998`".into()));
+        return Some(Remedy::mends(
+            "1 is flat: to ask for flat boards write `require planarity >= 0.9998`".into(),
+        ));
     }
     if too_flat {
         return None;

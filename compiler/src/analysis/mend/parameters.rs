@@ -107,7 +107,14 @@ impl Remedies<'_> {
         self.variants.with(&change, Some(&value), planarized).cloned()
     }
 
-    fn holds(&mut self, parameter: &Movable, steps: i64, figure: &str, asked: Asked, planarized: bool) -> bool {
+    fn holds(
+        &mut self,
+        parameter: &Movable,
+        steps: i64,
+        figure: &str,
+        asked: Asked,
+        planarized: bool,
+    ) -> bool {
         let variant = self.moved(parameter, steps, planarized);
         let blocks = variant.into_iter().flat_map(|variant| variant.blocks);
         blocks.into_iter().any(|block| block.figure == figure && block.holds(asked))
@@ -195,7 +202,13 @@ fn movable(evaluator: &mut Evaluator<'_>, name: &str, param: &Param, now: Scalar
     };
     let step = if param.ty == Type::Int && step.to_integer().is_none() { Scalar::one() } else { step };
     let size = step.to_f64().filter(|size| *size > 0.0)?;
-    let movable = |reach| Movable { name: name.to_owned(), ty: param.ty.clone(), now: now.clone(), step: step.clone(), reach };
+    let movable = |reach| Movable {
+        name: name.to_owned(),
+        ty: param.ty.clone(),
+        now: now.clone(),
+        step: step.clone(),
+        reach,
+    };
     let steps = |length: f64| if length > 0.0 { (length / size + 1e-9).floor().min(1e6) as i64 } else { 0 };
     let value = now.to_f64()?;
     let mut reach = [steps(value - least.to_f64()?), steps(most.to_f64()? - value)];
@@ -229,7 +242,13 @@ fn round_step(least: &Scalar, most: &Scalar, param: &Param) -> Option<Scalar> {
     while size * 10.0 <= about {
         (power, size) = (power.times(&ten).ok()?, size * 10.0);
     }
-    let times = if about >= size * 5.0 { 5 } else if about >= size * 2.0 { 2 } else { 1 };
+    let times = if about >= size * 5.0 {
+        5
+    } else if about >= size * 2.0 {
+        2
+    } else {
+        1
+    };
     let step = power.times(&Scalar::integer(times)).ok()?;
     match unit == 1.0 {
         true => Some(step),

@@ -118,7 +118,12 @@ impl<'a> Variants<'a> {
 
     /// The design with a change; `None` where it has errors, or where the budget is used up. Sizes can be judged without
     /// planarizing, which takes most of the time.
-    pub(super) fn with(&mut self, change: &Change, value: Option<&Scalar>, planarized: bool) -> Option<&Variant> {
+    pub(super) fn with(
+        &mut self,
+        change: &Change,
+        value: Option<&Scalar>,
+        planarized: bool,
+    ) -> Option<&Variant> {
         let key = (change.clone(), planarized || !self.planarizes);
         if !self.tried.contains_key(&key) {
             let variant = self.work_out(change, value, key.1);
@@ -146,7 +151,8 @@ impl<'a> Variants<'a> {
         overrides.leave_unplanarized = !planarized;
         let each = if planarized && self.planarizes { PLANARIZING } else { 1 };
         let most = (left / each).min(overrides.limits.elements);
-        overrides.limits = Limits { elements: most, boards: overrides.limits.boards.min(most), ..overrides.limits };
+        overrides.limits =
+            Limits { elements: most, boards: overrides.limits.boards.min(most), ..overrides.limits };
         let evaluated = evaluate(self.hir, &overrides, false);
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let elements = counts.map(|count| count.elements).sum();
@@ -164,8 +170,10 @@ pub(super) fn blocks(evaluated: &Evaluated) -> Vec<Block> {
 
 fn block(evaluated: &Evaluated, made: &Fabrication) -> Block {
     let figures = evaluated.plan.iter().flat_map(|lowered| lowered.plan.figures());
-    let mut levels: Vec<String> =
-        figures.filter(|figure| figure.name == made.figure).map(|figure| figure.shape.level_words()).collect();
+    let mut levels: Vec<String> = figures
+        .filter(|figure| figure.name == made.figure)
+        .map(|figure| figure.shape.level_words())
+        .collect();
     levels.dedup();
     let level = match levels.as_slice() {
         [one] if !one.is_empty() => Some(format!("level {one}")),

@@ -1,7 +1,7 @@
 //! Limits that nothing can be within, whatever the figure: beyond what the measure can be, or two that exclude each other.
 
-use super::words::value_words;
 use super::LimitValue;
+use super::words::value_words;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::checks::Limit;
 use crate::hir::schema::Measure;
@@ -76,9 +76,9 @@ fn excluded(requirement: &Requirement, limit: Limit, other: &Requirement, bounds
 fn is_empty(first: Ends, second: Ends) -> bool {
     let low = if second[0].0 > first[0].0 { second[0] } else { first[0] };
     let high = if second[1].0 < first[1].0 { second[1] } else { first[1] };
-    let touches = [first, second].iter().all(|[least, most]| {
-        (least.1 || least.0 < low.0) && (most.1 || most.0 > high.0)
-    });
+    let touches = [first, second]
+        .iter()
+        .all(|[least, most]| (least.1 || least.0 < low.0) && (most.1 || most.0 > high.0));
     low.0 > high.0 || (low.0 == high.0 && !touches)
 }
 

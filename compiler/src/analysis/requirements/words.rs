@@ -30,7 +30,9 @@ pub(super) fn beyond_words(measure: Measure, value: f64, limit: &LimitValue) -> 
     }
     let (factor, unit) = if measure == Measure::DiagonalRatio { (100.0, "%") } else { (1.0, "") };
     let words = |decimals: usize| {
-        move |value: f64| format!("{}{unit}", quantity_words_to(value * factor, measure.dimension(), decimals))
+        move |value: f64| {
+            format!("{}{unit}", quantity_words_to(value * factor, measure.dimension(), decimals))
+        }
     };
     let decimals = (4..MOST_DECIMALS).find(|decimals| !looks_like(&words(*decimals)));
     words(decimals.unwrap_or(MOST_DECIMALS))(value)
@@ -94,7 +96,11 @@ pub(super) fn plural(measure: Measure) -> &'static str {
 }
 
 /// What measured values say of a figure under such a limit: the end that counts, or both.
-pub(in crate::analysis) fn found_words(measure: Measure, limit: &LimitValue, (least, most): (f64, f64)) -> String {
+pub(in crate::analysis) fn found_words(
+    measure: Measure,
+    limit: &LimitValue,
+    (least, most): (f64, f64),
+) -> String {
     let [low, high] = [least, most].map(|value| beyond_words(measure, value, limit));
     if low == high {
         return low;
@@ -102,7 +108,9 @@ pub(in crate::analysis) fn found_words(measure: Measure, limit: &LimitValue, (le
     match limit {
         LimitValue::Plain(Limit::Within(..) | Limit::Equal(_)) => format!("{low} .. {high}"),
         LimitValue::Plain(Limit::AtMost(_) | Limit::Below(_)) => format!("up to {high}"),
-        LimitValue::Plain(Limit::AtLeast(_) | Limit::Above(_)) | LimitValue::Grain(_) => format!("down to {low}"),
+        LimitValue::Plain(Limit::AtLeast(_) | Limit::Above(_)) | LimitValue::Grain(_) => {
+            format!("down to {low}")
+        }
     }
 }
 

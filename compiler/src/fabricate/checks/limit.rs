@@ -103,7 +103,11 @@ mod tests {
             for value in values {
                 assert!(limit.holds(value) || limit.shortfall(value) >= 0.0);
                 let side = if value < 80.0 || limit == Limit::Above(80.0) { Less } else { Greater };
-                assert_eq!(limit.verdict(value), if limit.holds(value) { Equal } else { side }, "{limit:?} {value}");
+                assert_eq!(
+                    limit.verdict(value),
+                    if limit.holds(value) { Equal } else { side },
+                    "{limit:?} {value}"
+                );
                 let [(least, at_least), (most, at_most)] = limit.ends();
                 let above = value > least || (at_least && value == least);
                 let below = value < most || (at_most && value == most);

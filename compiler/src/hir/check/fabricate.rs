@@ -227,7 +227,11 @@ impl Checker<'_> {
         let found = self.described(&value.ty);
         let message = format!("`{}` is limited by {needed}, but this is {found}", measure.words());
         let diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(found);
-        self.report(diagnostic.hint(format!("for example `require {} {}`", measure.words(), measure.example())));
+        self.report(diagnostic.hint(format!(
+            "for example `require {} {}`",
+            measure.words(),
+            measure.example()
+        )));
         Expr { kind: ExprKind::Error, ty: Type::Error, span: value.span }
     }
 

@@ -34,6 +34,10 @@ impl Evaluator<'_> {
                 let arguments = self.all(frame, arguments)?;
                 Ok(Value::Ifs(Arc::new(IfsValue::Instance(Instance { ifs: *id, arguments }))))
             }
+            ExprKind::Imported(mesh) => {
+                self.spend(mesh.vertices.len() as u64, span)?;
+                Ok(Value::Germ(mesh.clone()))
+            }
             ExprKind::OwnGerm(germ) => Ok(Value::OwnGerm(*germ)),
             ExprKind::SelfIfs(_) => {
                 let own = frame.own_ifs.clone().ok_or(Stop::Reported)?;

@@ -18,6 +18,7 @@ mod native;
 mod operator;
 mod overrides;
 mod placement;
+mod plane;
 mod points;
 mod swept;
 mod symbolic;
