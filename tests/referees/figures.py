@@ -311,10 +311,12 @@ def check_report(made, rows, planarity):
     text = lambda value: "" if value is None else value
     for part, row in zip(parts, rows):
         cells = {key: text(part[key]) for key in row if key in part and key != "files"}
-        for key, place in (("edges_mm", "edge_{}_mm"), ("bevels_deg", "bevel_{}_deg")):
+        for key, place in (("edges_mm", "edge_{}_mm"), ("bevels_deg", "bevel_{}_deg"), ("relief_mm", "relief_{}_mm")):
             cells.update({place.format(side): text(value) for side, value in enumerate(part[key] or [None] * 4)})
         mitres = part["mitres_deg"] or [None] * 2
         cells.update({"mitre_start_deg": text(mitres[0]), "mitre_end_deg": text(mitres[1])})
+        leans = part["end_bevels_deg"] or [None] * 2
+        cells.update({"bevel_start_deg": text(leans[0]), "bevel_end_deg": text(leans[1])})
         cells["files"] = "; ".join(part["files"])
         if row["bend_radius_mm"] == "flat":
             cells["bend_radius_mm"] = "flat"

@@ -1,7 +1,7 @@
 //! What the levels beside this one give.
 
 use super::variants::{Block, Change, Purse, Variant};
-use super::{Asked, Remedies, Remedy};
+use super::{Asked, Remedies, Remedy, Worth};
 use crate::analysis::requirements::found_words;
 use crate::hir::schema::Measure;
 
@@ -33,7 +33,9 @@ impl Remedies<'_> {
         }
         let sentence = mended(&tried, now.level.as_deref());
         if sentence.is_some() {
-            return sentence.map(Remedy::mends);
+            let clean = tried.iter().any(|tried| tried.holds && tried.broken.is_none());
+            let worth = if clean { Worth::Mends } else { Worth::Breaks };
+            return sentence.map(|sentence| Remedy { sentence, worth });
         }
         none_mends(&mut tried, &now, asked).map(Remedy::falls_short)
     }

@@ -106,7 +106,9 @@ impl Remedies<'_> {
                 let mut made = made.clone();
                 let material = settings::material(self.hir, &material);
                 for panel in &mut made.panels {
-                    panel.mass = material.density.map(|density| density * panel.area * millimetres);
+                    panel.mass = material
+                        .density
+                        .map(|density| density * panel.volume / panel.thickness * millimetres);
                 }
                 measures::measure(&Elements::Panels(made), requirement.measure, &limit)
             }
@@ -135,7 +137,7 @@ pub(super) fn lighter(fabrication: &Fabrication, requirement: &RequirementResult
         return None;
     }
     // Whole kilograms by cubic metre, the next lower one.
-    let enough = (density * 1e9 * most / heaviest).floor();
+    let enough = (density * 1e9 * most / heaviest + 1e-6).floor();
     let now = (density * 1e9).round();
     (enough >= 50.0).then(|| {
         Remedy::mends(format!(

@@ -29,21 +29,31 @@ pub(super) enum Asked {
     Stock,
 }
 
+/// How much a remedy does, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Worth {
+    /// It mends what fails.
+    Mends,
+    /// It does, and something else then fails.
+    Breaks,
+    /// It only says how near one comes.
+    FallsShort,
+}
+
 /// A way to mend what fails.
 struct Remedy {
     /// One sentence.
     sentence: String,
-    /// Whether it does: else it says how near one comes.
-    mends: bool,
+    worth: Worth,
 }
 
 impl Remedy {
     fn mends(sentence: String) -> Self {
-        Remedy { sentence, mends: true }
+        Remedy { sentence, worth: Worth::Mends }
     }
 
     fn falls_short(sentence: String) -> Self {
-        Remedy { sentence, mends: false }
+        Remedy { sentence, worth: Worth::FallsShort }
     }
 }
 
@@ -74,7 +84,8 @@ impl<'a> Remedies<'a> {
                 }
             }
         }
-        let found = remedies.iter().any(|remedy| remedy.mends);
+        let found = remedies.iter().any(|remedy| remedy.worth < Worth::FallsShort);
+        remedies.sort_by_key(|remedy| remedy.worth);
         let mut sentences: Vec<String> = remedies.into_iter().map(|remedy| remedy.sentence).collect();
         if !found {
             let measure = match asked {

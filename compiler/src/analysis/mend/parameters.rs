@@ -2,7 +2,7 @@
 
 use super::levels::found;
 use super::variants::{Change, Variant};
-use super::{Asked, Remedies, Remedy};
+use super::{Asked, Remedies, Remedy, Worth};
 use crate::hir::evaluate::{Evaluator, words};
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::{ItemKind, Param};
@@ -46,12 +46,14 @@ impl Remedies<'_> {
         // The same values for everything that fails: each variant is worked out once.
         let tries = self.variants.share(movable.len(), planarized);
         for parameter in &movable {
+            let mut clean = false;
             let found: Vec<String> = [1, -1]
                 .into_iter()
                 .filter_map(|way| {
                     let steps = self.nearest(parameter, way, figure, asked, planarized, tries)?;
                     let variant = self.moved(parameter, steps, planarized)?;
                     let broken = self.broken(&variant);
+                    clean |= broken.is_none();
                     let broken = broken.map_or_else(String::new, |broken| format!(" (but then {broken})"));
                     Some(format!("{}{broken}", parameter.words(steps)?))
                 })
@@ -64,10 +66,9 @@ impl Remedies<'_> {
                 };
             } else if let Some(now) = parameter.words(0).filter(|_| !found.is_empty()) {
                 let name = &parameter.name;
-                remedies.push(Remedy::mends(format!(
-                    "it holds with {name} = {}; now it is {now}",
-                    found.join(" or ")
-                )));
+                let sentence = format!("it holds with {name} = {}; now it is {now}", found.join(" or "));
+                let worth = if clean { Worth::Mends } else { Worth::Breaks };
+                remedies.push(Remedy { sentence, worth });
             }
         }
         if remedies.is_empty() {

@@ -3,6 +3,7 @@
 use super::scope::Symbol;
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::dimension::Dimension;
 use crate::hir::index::Target;
 use crate::hir::schema::{Measure, SchemaKind, SettingType};
 use crate::hir::tree::{Expr, ExprKind, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
@@ -224,7 +225,10 @@ impl Checker<'_> {
     /// A limit of another dimension, with an example of a right one.
     fn wrong_limit(&mut self, measure: Measure, value: &Expr) -> Expr {
         let needed = self.described(&Type::Quantity(measure.dimension()));
-        let found = self.described(&value.ty);
+        let found = match &value.ty {
+            Type::Int => self.described(&Type::Quantity(Dimension::NUMBER)),
+            other => self.described(other),
+        };
         let message = format!("`{}` is limited by {needed}, but this is {found}", measure.words());
         let diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(found);
         self.report(diagnostic.hint(format!(
