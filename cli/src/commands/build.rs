@@ -54,7 +54,13 @@ fn selection(emit: &[Emit]) -> Selection {
         return Selection::ALL;
     }
     let wants = |which: Emit| emit.contains(&which);
-    Selection { glb: wants(Emit::Glb), nc: wants(Emit::Nc), csv: wants(Emit::Csv), json: wants(Emit::Json) }
+    Selection {
+        glb: wants(Emit::Glb),
+        nc: wants(Emit::Nc),
+        csv: wants(Emit::Csv),
+        json: wants(Emit::Json),
+        html: wants(Emit::Html),
+    }
 }
 
 fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed, FolderError> {

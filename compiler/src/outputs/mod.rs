@@ -1,5 +1,6 @@
 //! What a build writes: from one analysis to named outputs. The folder they go to, and when, is the caller's business.
 
+mod html;
 mod model;
 pub mod names;
 mod parts;
@@ -26,15 +27,17 @@ pub struct Selection {
     pub csv: bool,
     /// `report.json`
     pub json: bool,
+    /// `report.html`
+    pub html: bool,
 }
 
 impl Selection {
     /// Everything.
-    pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, json: true };
+    pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, json: true, html: true };
 
     /// Whether nothing is wanted.
     pub fn is_empty(self) -> bool {
-        !(self.glb || self.nc || self.csv || self.json)
+        !(self.glb || self.nc || self.csv || self.json || self.html)
     }
 }
 
@@ -120,10 +123,16 @@ pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
             files.push(Output::new("planarity.csv", "list", planarity_csv(&surfaces)));
         }
     }
-    if selection.json
-        && let Ok(text) = report::report(analysis, parts).to_json()
-    {
-        files.push(Output::new("report.json", "report", text));
+    if selection.json || selection.html {
+        let report = report::report(analysis, parts);
+        if selection.html {
+            files.push(Output::new("report.html", "report", html::html(analysis, &report)));
+        }
+        if selection.json
+            && let Ok(text) = report.to_json()
+        {
+            files.push(Output::new("report.json", "report", text));
+        }
     }
     Outputs { files, diagnostics: Vec::new() }
 }

@@ -54,6 +54,8 @@ pub struct CheckResult {
     pub total: usize,
     /// The least and the largest value measured; none where nothing was.
     pub extremes: Option<(f64, f64)>,
+    /// Every value measured, in the order of the elements.
+    pub values: Vec<f64>,
 }
 
 impl CheckResult {
@@ -84,6 +86,7 @@ impl Tally {
         place: impl FnOnce() -> String,
     ) {
         self.result.total += 1;
+        self.result.values.push(value);
         self.result.failing += usize::from(verdict.is_ne());
         self.result.below += usize::from(verdict.is_lt());
         let (least, most) = self.result.extremes.unwrap_or((value, value));
