@@ -7,7 +7,8 @@ other files of the folder:
 - the solids have the volumes that the sizes say, and masses in one proportion to them;
 - a board's outline built from its four edges and its diagonal by the law of cosines is a simple polygon of the area and
   the size that are stated; boards that share an edge state the same length and the same bevel for it;
-- report.json has, digit by digit, the figures of cutlist.csv, and its summaries are those of planarity.csv.
+- report.json has, digit by digit, the figures of cutlist.csv, and its summaries are those of planarity.csv;
+- what a requirement says it measured, the least and the largest and how many, is measured again on these.
 
 Prints one line of JSON with the counts; exit code 1 with the faults on stderr.
 """
@@ -129,6 +130,8 @@ def check_panels(model, parts, rows, planarity):
     before, after = (measure(numpy.concatenate(surfaces[kind]), stated) for kind in ("designed", "planarized"))
     expect(len(planarity) == len(after["area"]) == len(parts), "not one quad, one row and one board each")
     by_address = {part["address"]: part for part in parts}
+    measured = {name: [] for name in PANEL_MEASURES}
+    bevels = measure_bevels(numpy.concatenate(surfaces["planarized"]), after["split"], parts)
     for index, (part, row, flat) in enumerate(zip(parts, rows, planarity)):
         name = row["address"]
         expect(name == flat["address"], f"{name}: {flat['address']} in planarity.csv")
@@ -151,6 +154,87 @@ def check_panels(model, parts, rows, planarity):
         near(f"{name} length", row["length_mm"], right - left, 5e-3)
         near(f"{name} width", row["width_mm"], high - low, 5e-3)
         check_neighbours(part, by_address)
+        corners = numpy.array(polygon.exterior.coords)[:-1]
+        fold = numpy.radians(after["fold"][index])
+        values = {
+            "planarity": [after["planarity"][index]],
+            "fold": [after["fold"][index]],
+            "diagonal ratio": [after["ratio"][index]],
+            "edge": after["edges"][index],
+            "length": [right - left],
+            "width": [least_width(polygon)],
+            "area": [polygon.area * 1e-6],
+            "angle": angles(corners),
+            "bevel": bevels[index],
+            # (h1 + h2) / (2 fold), the heights of both triangles being twice their area by the diagonal.
+            "bend radius": [after["area"][index] / after["diagonal"][index] / fold] if fold > 1e-4 else [],
+            "mass": [float(row["mass_kg"])],
+        }
+        for key, found in values.items():
+            measured[key] += [(name, value) for value in found]
+    return measured
+
+
+PANEL_MEASURES = (
+    "planarity", "fold", "diagonal ratio", "edge", "length", "width", "area", "angle", "bevel", "bend radius", "mass",
+)
+
+
+def least_width(polygon):
+    """Over the edges of the convex hull, the farthest corner from the edge's line; the least of these."""
+    hull = numpy.array(polygon.convex_hull.exterior.coords)[:-1]
+    along = unit(numpy.roll(hull, -1, axis=0) - hull)
+    normals = numpy.stack([-along[:, 1], along[:, 0]], axis=1)
+    heights = numpy.abs(((hull[None, :, :] - hull[:, None, :]) * normals[:, None, :]).sum(-1))
+    return heights.max(axis=1).min()
+
+
+def angles(corners):
+    """Inside of a convex outline, degrees."""
+    out = unit(numpy.roll(corners, -1, axis=0) - corners)
+    back = unit(numpy.roll(corners, 1, axis=0) - corners)
+    return numpy.degrees(numpy.arccos((out * back).sum(-1)))
+
+
+def measure_bevels(quads, splits, parts):
+    """For each quad, half of the angle between the triangles on both sides of each edge it shares."""
+    place = {part["address"]: index for index, part in enumerate(parts)}
+    triangles = ([(0, 1, 2), (0, 1, 2), (2, 3, 0), (2, 3, 0)], [(3, 0, 1), (1, 2, 3), (1, 2, 3), (3, 0, 1)])
+
+    def normal(index, side):
+        a, b, c = quads[index][list(triangles[splits[index]][side])]
+        return unit(numpy.cross(b - a, c - a))
+
+    found = []
+    for index, part in enumerate(parts):
+        mine = []
+        for side, other in enumerate(part["neighbours"]):
+            if other is not None:
+                back = parts[place[other]]["neighbours"].index(part["address"])
+                mine.append(angle(normal(index, side), normal(place[other], back)) / 2)
+        found.append(mine)
+    return found
+
+
+def check_requirements(made, measured, elements):
+    """The least and the largest of what was measured, and how many there are."""
+    tolerances = {"mm": 6e-3, "deg": 6e-3, "m2": 5e-6, "kg": 1e-3, None: 2e-5}
+    checked = 0
+    for requirement in made["requirements"]:
+        name, measure = requirement["text"], requirement["measure"]
+        if measure == "count":
+            expect({requirement["least"], requirement["most"]} == {str(elements)}, f"{name}: not {elements}")
+        if measure not in measured:
+            continue
+        values = [value for address, value in measured[measure] if address in made["addresses"]]
+        # Flat boards are counted where bends are, and have none.
+        expect(measure == "bend radius" or int(requirement["total"]) == len(values), f"{name}: not {len(values)}")
+        for key, value in (("least", min(values)), ("most", max(values))):
+            # A radius is divided by a fold, which single precision knows to some thousandths of a degree.
+            allowed = value * 5e-3 if measure == "bend radius" else tolerances[requirement["unit"]]
+            near(f"{name} {key}", requirement[key], value, allowed)
+        checked += 1
+    return checked
 
 
 def check_neighbours(part, by_address):
@@ -166,8 +250,10 @@ def check_neighbours(part, by_address):
             expect(theirs == [mine], f"{part['address']} and {other}: {key} {mine} and {theirs}")
 
 
-def check_planks(model, rows):
+def check_planks(model, rows, parts):
+    parts = {part["address"]: part for part in parts}
     place = 0
+    measured = {"length": [], "mitre": [], "mass": []}
     for _, primitives in model.of_kind("curve"):
         points = model.positions(primitives[0])
         segments = numpy.diff(points, axis=0)
@@ -188,10 +274,15 @@ def check_planks(model, rows):
             near(f"{name} inner face", row["inner_length_mm"], faces[0], MM)
             near(f"{name} outer face", row["outer_length_mm"], faces[1], MM)
             near(f"{name} area", row["area_m2"], lengths[index] * float(row["width_mm"]) * 1e-6, 2e-6)
+            measured["length"].append((name, lengths[index]))
+            measured["mass"].append((name, float(row["mass_kg"])))
+            joints = [end for end, other in zip((index, index + 1), parts[name]["neighbours"]) if other is not None]
+            measured["mitre"] += [(name, mitres[end]) for end in joints]
         for first, second in zip(planks, planks[1:] + planks[: 1 if closed else 0]):
             joint = float(first["mitre_end_deg"]) + float(second["mitre_start_deg"])
             expect(joint == 0, f"{first['address']} and {second['address']}: mitres that are not opposite")
     expect(place == len(rows), f"{place} segments, {len(rows)} planks")
+    return measured
 
 
 def check_solids(model, rows, kind):
@@ -220,10 +311,12 @@ def check_report(made, rows, planarity):
     text = lambda value: "" if value is None else value
     for part, row in zip(parts, rows):
         cells = {key: text(part[key]) for key in row if key in part and key != "files"}
-        for key, place in (("edges_mm", "edge_{}_mm"), ("bevels_deg", "bevel_{}_deg")):
+        for key, place in (("edges_mm", "edge_{}_mm"), ("bevels_deg", "bevel_{}_deg"), ("relief_mm", "relief_{}_mm")):
             cells.update({place.format(side): text(value) for side, value in enumerate(part[key] or [None] * 4)})
         mitres = part["mitres_deg"] or [None] * 2
         cells.update({"mitre_start_deg": text(mitres[0]), "mitre_end_deg": text(mitres[1])})
+        leans = part["end_bevels_deg"] or [None] * 2
+        cells.update({"bevel_start_deg": text(leans[0]), "bevel_end_deg": text(leans[1])})
         cells["files"] = "; ".join(part["files"])
         if row["bend_radius_mm"] == "flat":
             cells["bend_radius_mm"] = "flat"
@@ -271,15 +364,17 @@ def main(root):
     kind = kinds.pop()
     parts = [part for made in report["fabrications"] for part in made["parts"]]
     if kind == "panels":
-        check_panels(model, parts, rows, planarity)
+        measured = check_panels(model, parts, rows, planarity)
     else:
-        check_planks(model, rows)
+        measured = check_planks(model, rows, parts)
     check_solids(model, rows, made_of[kind])
+    requirements = 0
     for made in report["fabrications"]:
-        addresses = {part["address"] for part in made["parts"]}
+        addresses = made["addresses"] = {part["address"] for part in made["parts"]}
+        requirements += check_requirements(made, measured, len(addresses))
         mine = lambda table: [row for row in table if row["address"] in addresses]
         check_report(made, mine(rows), mine(planarity))
-    print(json.dumps({"folder": root, "parts": len(parts), "planarity": len(planarity), "faults": len(faults)}))
+    print(json.dumps({"folder": root, "parts": len(parts), "planarity": len(planarity), "requirements": requirements, "faults": len(faults)}))
     for fault in faults[:20]:
         print(fault, file=sys.stderr)
     return 1 if faults else 0

@@ -24,6 +24,7 @@ mod pages;
 mod pieces;
 mod projects;
 mod referees;
+mod requirements;
 mod robust;
 mod sameness;
 mod sums;

@@ -1,12 +1,12 @@
 //! What the levels beside this one give.
 
-use super::variants::{Block, Change, Variant};
-use super::{Asked, Remedies, Remedy};
+use super::variants::{Block, Change, Purse, Variant};
+use super::{Asked, Remedies, Remedy, Worth};
 use crate::analysis::requirements::found_words;
 use crate::hir::schema::Measure;
 
-/// By how much levels are changed, the likeliest first. Lower ones cost little.
-const SHIFTS: [i32; 6] = [-1, 1, -2, 2, -3, 3];
+/// By how much levels are changed. Lower ones cost little, and come first.
+const SHIFTS: [i32; 6] = [-1, -2, -3, 1, 2, 3];
 
 /// A level that was tried.
 struct Tried {
@@ -33,18 +33,18 @@ impl Remedies<'_> {
         }
         let sentence = mended(&tried, now.level.as_deref());
         if sentence.is_some() {
-            return sentence.map(Remedy::mends);
+            let clean = tried.iter().any(|tried| tried.holds && tried.broken.is_none());
+            let worth = if clean { Worth::Mends } else { Worth::Breaks };
+            return sentence.map(|sentence| Remedy { sentence, worth });
         }
         none_mends(&mut tried, &now, asked).map(Remedy::falls_short)
     }
 
     /// Whether a level may be tried: higher ones have about four times as many quads, or twice as many segments.
     fn is_level_affordable(&self, asked: Asked, now: &Block, shift: i32) -> bool {
-        let elements =
-            (now.elements as u64).max(1).saturating_mul(4u64.saturating_pow(shift.max(0).unsigned_abs()));
-        // Beyond the first level up half of the budget is kept for parameters.
-        let share = if shift > 0 { 3 } else { 1 };
-        self.variants.affordable(elements, self.needs_planarizing(now, asked)) >= share
+        let factor = 4u64.saturating_pow(shift.max(0).unsigned_abs());
+        let elements = (now.elements as u64).max(1).saturating_mul(factor);
+        self.variants.affordable(Purse::Levels, elements, self.needs_planarizing(now, asked)) > 0
     }
 
     /// Whether what is asked can be judged only on quads as flat as they will be built.

@@ -3,7 +3,7 @@
 use super::{Remedies, Remedy};
 use crate::analysis::fabrication::{Elements, Fabrication};
 use crate::analysis::requirements::{LimitValue, RequirementResult, evaluate_limit};
-use crate::analysis::{measures, settings};
+use crate::analysis::{measures, settings, value_words};
 use crate::fabricate::checks::Limit;
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::{Evaluator, quantity_words};
@@ -39,6 +39,10 @@ impl Remedies<'_> {
             .fabricates
             .iter()
             .find(|block| self.hir.item(block.figure).name == fabrication.figure)?;
+        let asked = fabrication.requirements.get(place)?;
+        if asked.measure == Measure::Mass && asked.result.below > 0 {
+            return None;
+        }
         let given = block.settings.iter().find(|setting| setting.name == "material")?;
         let (call, thickness_at) = call_with_thickness(self.hir, &given.value)?;
         let now = made.settings.material.thickness?;
@@ -54,8 +58,7 @@ impl Remedies<'_> {
             };
             if tried.requirement.result.holds() {
                 return Some(Remedy::mends(format!(
-                    "boards {} thick do: `{}`",
-                    quantity_words(tried.thickness, Dimension::LENGTH),
+                    "thinner boards do: `{}`",
                     call_words(self.hir, &call, tried.thickness)
                 )));
             }
@@ -69,12 +72,12 @@ impl Remedies<'_> {
         changes.then(|| {
             let worst = tried.requirement.result.measured.first();
             let worst = worst.map_or_else(String::new, |worst| {
-                let value = super::super::requirements::value_words(requirement.measure, worst.value);
+                let value = value_words(requirement.measure, worst.value);
                 let place = if worst.place.is_empty() { String::new() } else { format!(", {}", worst.place) };
                 format!(" ({} has {value}{place})", worst.alias)
             });
             Remedy::falls_short(format!(
-                "thinner boards are not enough: at {} {} of {} still fail{worst}",
+                "thinner boards are not enough: with {} {} of {} still fail{worst}",
                 quantity_words(tried.thickness, Dimension::LENGTH),
                 tried.requirement.result.failing,
                 tried.requirement.result.total
@@ -103,7 +106,9 @@ impl Remedies<'_> {
                 let mut made = made.clone();
                 let material = settings::material(self.hir, &material);
                 for panel in &mut made.panels {
-                    panel.mass = material.density.map(|density| density * panel.area * millimetres);
+                    panel.mass = material
+                        .density
+                        .map(|density| density * panel.volume / panel.thickness * millimetres);
                 }
                 measures::measure(&Elements::Panels(made), requirement.measure, &limit)
             }
@@ -132,7 +137,7 @@ pub(super) fn lighter(fabrication: &Fabrication, requirement: &RequirementResult
         return None;
     }
     // Whole kilograms by cubic metre, the next lower one.
-    let enough = (density * 1e9 * most / heaviest).floor();
+    let enough = (density * 1e9 * most / heaviest + 1e-6).floor();
     let now = (density * 1e9).round();
     (enough >= 50.0).then(|| {
         Remedy::mends(format!(

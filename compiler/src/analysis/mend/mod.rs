@@ -12,12 +12,12 @@ mod variants;
 
 use super::Evaluated;
 use super::fabrication::{Elements, Fabrication};
-use super::requirements::RequirementResult;
+use super::requirements::{LimitValue, RequirementResult};
 use crate::fabricate::checks::Limit;
 use crate::hir::evaluate::Overrides;
 use crate::hir::schema::Measure;
 use crate::hir::tree::Hir;
-use crate::planarize::Pin;
+use crate::planarize::{Pin, StopReason};
 use variants::{Block, Variants};
 
 /// What fails of a block.
@@ -29,21 +29,31 @@ pub(super) enum Asked {
     Stock,
 }
 
+/// How much a remedy does, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Worth {
+    /// It mends what fails.
+    Mends,
+    /// It does, and something else then fails.
+    Breaks,
+    /// It only says how near one comes.
+    FallsShort,
+}
+
 /// A way to mend what fails.
 struct Remedy {
     /// One sentence.
     sentence: String,
-    /// Whether it does: else it says how near one comes.
-    mends: bool,
+    worth: Worth,
 }
 
 impl Remedy {
     fn mends(sentence: String) -> Self {
-        Remedy { sentence, mends: true }
+        Remedy { sentence, worth: Worth::Mends }
     }
 
     fn falls_short(sentence: String) -> Self {
-        Remedy { sentence, mends: false }
+        Remedy { sentence, worth: Worth::FallsShort }
     }
 }
 
@@ -74,10 +84,15 @@ impl<'a> Remedies<'a> {
                 }
             }
         }
-        let found = remedies.iter().any(|remedy| remedy.mends);
+        let found = remedies.iter().any(|remedy| remedy.worth < Worth::FallsShort);
+        remedies.sort_by_key(|remedy| remedy.worth);
         let mut sentences: Vec<String> = remedies.into_iter().map(|remedy| remedy.sentence).collect();
         if !found {
-            sentences.push(self.last_resort(asked));
+            let measure = match asked {
+                Asked::Stock => None,
+                Asked::Requirement(place) => fabrication.requirements.get(place).map(|asked| asked.measure),
+            };
+            sentences.push(self.last_resort(measure));
         }
         sentences
     }
@@ -104,17 +119,20 @@ impl<'a> Remedies<'a> {
         remedies
     }
 
-    /// What is left where nothing was found.
-    fn last_resort(&self, asked: Asked) -> String {
-        let loose = self.parameters_without_range();
-        let limit = if asked == Asked::Stock { "use larger stock" } else { "change the limit" };
-        match loose.first() {
-            Some(name) => format!(
-                "move the control points, or {limit}; with a range (`param {name}: … = … in … .. …`) `{name}` is tried \
-                 out here too"
-            ),
-            None => format!("move the control points, or {limit}"),
+    /// What is left where nothing was found; no measure: raw boards or bars are too small.
+    fn last_resort(&self, measure: Option<Measure>) -> String {
+        let mut sentence = match measure {
+            None => "move the control points, or use larger raw boards or bars".to_owned(),
+            Some(Measure::Angle) => "the angles stay about the same at every level: move the control points so that the \
+                                     two directions of the surface cross nearer to a right angle, or change the limit"
+                .to_owned(),
+            Some(_) => "move the control points, or change the limit".to_owned(),
+        };
+        if let Some(name) = self.parameters_without_range().first() {
+            let of = format!("`param {name}: … = … in … .. …`");
+            sentence = format!("{sentence}; with a range ({of}) values of {name} are tried out too");
         }
+        sentence
     }
 
     fn now(&self, figure: &str) -> Option<&Block> {
@@ -126,8 +144,8 @@ impl<'a> Remedies<'a> {
 fn flatter(fabrication: &Fabrication, requirement: &RequirementResult) -> Option<Remedy> {
     let Elements::Panels(panels) = &fabrication.elements else { return None };
     let limit = match requirement.limit {
-        super::LimitValue::Plain(limit) => Some(limit),
-        super::LimitValue::Grain(_) => None,
+        LimitValue::Plain(limit) => Some(limit),
+        LimitValue::Grain(_) => None,
     };
     let measure = requirement.measure;
     let too_flat = match measure {
@@ -144,12 +162,21 @@ fn flatter(fabrication: &Fabrication, requirement: &RequirementResult) -> Option
     if too_flat {
         return None;
     }
-    let sentence = match &panels.perturbation {
-        None => "add `planarize: {}`: it moves vertices until the quads are flat enough",
-        Some(options) if options.pin == Pin::Boundary => {
-            "the border is held in place: `pin: corners` or `pin: none` lets it move"
-        }
-        Some(_) => return None,
+    let Some(options) = &panels.perturbation else {
+        let sentence = "`planarize: {}` moves vertices to make the quads flatter: add it to the block";
+        return Some(Remedy::mends(sentence.to_owned()));
     };
-    Some(Remedy::mends(sentence.to_owned()))
+    let outcomes = || panels.figures.iter().filter_map(|figure| figure.outcome.as_ref());
+    let mut ways = Vec::new();
+    if outcomes().any(|outcome| outcome.stop == StopReason::IterationsUsed) {
+        let more = u64::from(options.iterations).saturating_mul(4).max(100);
+        ways.push(format!(
+            "planarizing has used up its {} iterations: `iterations: {more}` lets it go on",
+            options.iterations
+        ));
+    }
+    if options.pin == Pin::Boundary {
+        ways.push("the border is held in place: `pin: corners` or `pin: none` lets it move".to_owned());
+    }
+    (!ways.is_empty()).then(|| Remedy::mends(ways.join("; ")))
 }

@@ -2,7 +2,7 @@
 
 use super::levels::found;
 use super::variants::{Change, Variant};
-use super::{Asked, Remedies, Remedy};
+use super::{Asked, Remedies, Remedy, Worth};
 use crate::hir::evaluate::{Evaluator, words};
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::{ItemKind, Param};
@@ -43,31 +43,32 @@ impl Remedies<'_> {
         let movable = self.movable();
         let mut remedies = Vec::new();
         let mut nearest: Option<(f64, String)> = None;
-        for (place, parameter) in movable.iter().enumerate() {
-            let share = (movable.len() - place) as u64 * 2;
-            let tries = self.variants.affordable(self.variants.elements, planarized) / share;
+        // The same values for everything that fails: each variant is worked out once.
+        let tries = self.variants.share(movable.len(), planarized);
+        for parameter in &movable {
+            let mut clean = false;
             let found: Vec<String> = [1, -1]
                 .into_iter()
                 .filter_map(|way| {
                     let steps = self.nearest(parameter, way, figure, asked, planarized, tries)?;
                     let variant = self.moved(parameter, steps, planarized)?;
                     let broken = self.broken(&variant);
+                    clean |= broken.is_none();
                     let broken = broken.map_or_else(String::new, |broken| format!(" (but then {broken})"));
                     Some(format!("{}{broken}", parameter.words(steps)?))
                 })
                 .collect();
-            if found.is_empty() {
+            if found.is_empty() && tries > 0 {
                 let end = self.best_end(parameter, figure, asked, planarized);
                 nearest = match (nearest, end) {
                     (Some(best), Some(end)) if end.0 >= best.0 => Some(best),
                     (best, end) => end.or(best),
                 };
-            } else if let Some(now) = parameter.words(0) {
+            } else if let Some(now) = parameter.words(0).filter(|_| !found.is_empty()) {
                 let name = &parameter.name;
-                remedies.push(Remedy::mends(format!(
-                    "it holds with {name} = {}; now it is {now}",
-                    found.join(" or ")
-                )));
+                let sentence = format!("it holds with {name} = {}; now it is {now}", found.join(" or "));
+                let worth = if clean { Worth::Mends } else { Worth::Breaks };
+                remedies.push(Remedy { sentence, worth });
             }
         }
         if remedies.is_empty() {
@@ -120,9 +121,9 @@ impl Remedies<'_> {
         blocks.into_iter().any(|block| block.figure == figure && block.holds(asked))
     }
 
-    /// The smallest number of steps that way at which it holds: step by step where that can be afforded, else by
-    /// growing strides and then by halving, which finds the nearest value where it fails on one side and holds on the
-    /// other.
+    /// The smallest number of steps that way at which it holds: step by step where that can be afforded, else in
+    /// strides to the end of the range and then by halving, which finds the nearest value where it fails on one side
+    /// and holds on the other.
     fn nearest(
         &mut self,
         parameter: &Movable,
@@ -133,13 +134,9 @@ impl Remedies<'_> {
         tries: u64,
     ) -> Option<i64> {
         let reach = parameter.reach[usize::from(way > 0)];
-        let in_turn = i64::try_from(tries).unwrap_or(MOST_IN_TURN).min(MOST_IN_TURN);
-        let strides = strides(reach, reach <= in_turn);
+        let most = i64::try_from(tries).unwrap_or(MOST_IN_TURN).min(MOST_IN_TURN);
         let mut failed = 0;
-        for (count, steps) in strides.into_iter().enumerate() {
-            if count as i64 >= in_turn {
-                return None;
-            }
+        for steps in strides(reach, most) {
             if !self.holds(parameter, way * steps, figure, asked, planarized) {
                 failed = steps;
                 continue;
@@ -185,7 +182,7 @@ impl Remedies<'_> {
             if beyond < best.as_ref().map_or(now - now.abs() * 0.01, |(best, _)| *best) {
                 let (value, found) = (parameter.words(steps)?, found(block, asked)?);
                 let sentence = format!(
-                    "no value of {} in its range does it; the nearest is {value} with {found}",
+                    "moving {} inside its range is not enough: {value}, the best that was tried, gives {found}",
                     parameter.name
                 );
                 best = Some((beyond, sentence));
@@ -260,22 +257,10 @@ fn round_step(least: &Scalar, most: &Scalar, param: &Param) -> Option<Scalar> {
     }
 }
 
-/// How many steps away values are tried: all, or farther and farther apart, the last one too.
-fn strides(reach: i64, all: bool) -> Vec<i64> {
-    if reach <= 0 {
-        return Vec::new();
-    }
-    if all {
-        return (1..=reach).collect();
-    }
-    let mut found = Vec::new();
-    let (mut steps, mut next) = (1i64, 2i64);
-    while steps < reach {
-        found.push(steps);
-        (steps, next) = (next, steps + next);
-    }
-    found.push(reach);
-    found
+/// How many steps away values are tried: each, or `most` of them evenly apart, the last one too.
+fn strides(reach: i64, most: i64) -> Vec<i64> {
+    let count = reach.min(most).max(0);
+    (1..=count).map(|place| ((i128::from(reach) * i128::from(place)) / i128::from(count)) as i64).collect()
 }
 
 #[cfg(test)]
@@ -284,8 +269,9 @@ mod tests {
 
     #[test]
     fn strides_reach_the_end() {
-        assert_eq!(strides(4, true), [1, 2, 3, 4]);
-        assert_eq!(strides(20, false), [1, 2, 3, 5, 8, 13, 20]);
-        assert!(strides(0, true).is_empty() && strides(0, false).is_empty());
+        assert_eq!(strides(4, 60), [1, 2, 3, 4]);
+        assert_eq!(strides(20, 3), [6, 13, 20]);
+        assert_eq!(strides(1_000_000, 1), [1_000_000]);
+        assert!(strides(0, 60).is_empty() && strides(5, 0).is_empty());
     }
 }

@@ -21,11 +21,16 @@ pub(super) fn remedies(fabrication: &Fabrication) -> Vec<Remedy> {
                 PlankRefusal::TooLong { needed, .. } => Some(needed),
                 _ => None,
             });
-            let needed = quantity_words(needed.fold(0.0, f64::max).ceil(), Dimension::LENGTH);
+            let needed = quantity_words(whole(needed.fold(0.0, f64::max)), Dimension::LENGTH);
             remedies.push(Remedy::mends(format!("bars of {needed} are long enough for all of them")));
         }
     }
     remedies
+}
+
+/// The next whole millimetre above, but for rounding.
+fn whole(length: f64) -> f64 {
+    (length - 1e-6).ceil()
 }
 
 /// A raw board that holds all of them as they lie, in whole millimetres.
@@ -38,7 +43,7 @@ fn larger_board(made: &PanelsMade) -> Option<Remedy> {
             Grain::Free if (size.x < size.y) != (length < width) => (size.y, size.x),
             _ => (size.x, size.y),
         };
-        (length, width) = (length.max(x.ceil()), width.max(y.ceil()));
+        (length, width) = (length.max(whole(x)), width.max(whole(y)));
     }
     let [length, width] = [length, width].map(|size| quantity_words(size, Dimension::LENGTH));
     let grain = match made.settings.grain {

@@ -11,7 +11,8 @@ use crate::hir::scalar::Scalar;
 use crate::hir::tree::Hir;
 use std::collections::BTreeMap;
 
-/// How many elements may be worked out in all while remedies are looked for: about half a second.
+/// How many elements may be worked out in all while levels are tried, and again as many while parameters are: both
+/// together take about half a second.
 const MOST_ELEMENTS: u64 = 160_000;
 
 /// What a variant costs beside its elements, in elements: the evaluation of the text.
@@ -19,6 +20,15 @@ const EACH_VARIANT: u64 = 150;
 
 /// What planarizing an element costs, in elements.
 const PLANARIZING: u64 = 150;
+
+/// What the budget is kept apart for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Purse {
+    /// Other levels.
+    Levels,
+    /// Other values of parameters.
+    Parameters,
+}
 
 /// What is changed.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -50,7 +60,9 @@ impl Block {
         match asked {
             Asked::Stock => self.too_large == 0,
             Asked::Requirement(place) => {
-                self.requirements.get(place).is_some_and(|requirement| requirement.result.holds())
+                // Where nothing is measured, nothing is mended.
+                let result = self.requirements.get(place).map(|requirement| &requirement.result);
+                result.is_some_and(|result| result.total > 0 && result.holds())
             }
         }
     }
@@ -70,10 +82,11 @@ pub(super) struct Variants<'a> {
     hir: &'a Hir,
     overrides: &'a Overrides,
     /// Elements of all figures of the design as it is.
-    pub(super) elements: u64,
+    elements: u64,
     /// Whether the design planarizes.
     planarizes: bool,
-    left: u64,
+    /// What is left for levels and for parameters.
+    left: [u64; 2],
     tried: BTreeMap<(Change, bool), Option<Variant>>,
 }
 
@@ -85,12 +98,17 @@ impl<'a> Variants<'a> {
             Elements::Planks(_) => false,
         });
         let elements = counts.map(|count| count.elements).sum();
-        Variants { hir, overrides, elements, planarizes, left: MOST_ELEMENTS, tried: BTreeMap::new() }
+        Variants { hir, overrides, elements, planarizes, left: [MOST_ELEMENTS; 2], tried: BTreeMap::new() }
     }
 
-    /// How many more variants of so many elements can be tried.
-    pub(super) fn affordable(&self, elements: u64, planarized: bool) -> u64 {
-        self.left / self.cost(elements, planarized)
+    /// How many more variants of so many elements can be tried, with other parameters or other levels.
+    pub(super) fn affordable(&self, purse: Purse, elements: u64, planarized: bool) -> u64 {
+        self.left[purse as usize] / self.cost(elements, planarized)
+    }
+
+    /// How many values of each of so many parameters can be tried in either direction from the beginning on.
+    pub(super) fn share(&self, parameters: usize, planarized: bool) -> u64 {
+        MOST_ELEMENTS / self.cost(self.elements, planarized) / (2 * parameters as u64).max(1)
     }
 
     fn cost(&self, elements: u64, planarized: bool) -> u64 {
@@ -115,9 +133,14 @@ impl<'a> Variants<'a> {
     }
 
     fn work_out(&mut self, change: &Change, value: Option<&Scalar>, planarized: bool) -> Option<Variant> {
-        if self.affordable(0, planarized) == 0 {
+        let purse = match change {
+            Change::Level(..) => Purse::Levels,
+            Change::Parameter(..) => Purse::Parameters,
+        };
+        if self.affordable(purse, 0, planarized) == 0 {
             return None;
         }
+        let left = self.left[purse as usize];
         let mut overrides = self.overrides.clone();
         match change {
             Change::Level(figure, shift) => overrides.level_shift = Some((figure.clone(), *shift)),
@@ -127,13 +150,13 @@ impl<'a> Variants<'a> {
         }
         overrides.leave_unplanarized = !planarized;
         let each = if planarized && self.planarizes { PLANARIZING } else { 1 };
-        let most = (self.left / each).min(overrides.limits.elements);
+        let most = (left / each).min(overrides.limits.elements);
         overrides.limits =
             Limits { elements: most, boards: overrides.limits.boards.min(most), ..overrides.limits };
         let evaluated = evaluate(self.hir, &overrides, false);
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let elements = counts.map(|count| count.elements).sum();
-        self.left = self.left.saturating_sub(self.cost(elements, planarized));
+        self.left[purse as usize] = left.saturating_sub(self.cost(elements, planarized));
         let complete = evaluated.fabrications.len() == self.hir.fabricates.len();
         let sound = evaluated.diagnostics.iter().all(|found| found.severity() != Severity::Error);
         (complete && sound).then(|| Variant { blocks: blocks(&evaluated), planarized })

@@ -76,8 +76,12 @@ fn too_large(fabrication: &Fabrication, remedies: &mut Remedies<'_>) -> Option<D
     let total = fabrication.elements.total();
     let mut diagnostic = Diagnostic::new(Code::E0834, span, message)
         .label(format!("{} of {total} {made} are too large for it", refused.len()));
-    for (label, reason) in refused.iter().take(SHOWN).skip(1) {
-        diagnostic = diagnostic.note(format!("{} ({}): {reason}", label.alias, label.address));
+    if refused.len() > 1 {
+        let others: Vec<&str> =
+            refused.iter().skip(1).take(SHOWN).map(|(label, _)| label.alias.as_str()).collect();
+        let more = if refused.len() > SHOWN + 1 { ", …" } else { "" };
+        let others = others.join(", ");
+        diagnostic = diagnostic.note(format!("and {} more: {others}{more}", refused.len() - 1));
     }
     for remedy in remedies.of(fabrication, Asked::Stock) {
         diagnostic = diagnostic.hint(remedy);

@@ -12,6 +12,10 @@ const MOST_DECIMALS: usize = 9;
 pub fn value_words(measure: Measure, value: f64) -> String {
     match measure {
         Measure::DiagonalRatio => format!("{}%", quantity_words_to(value * 100.0, measure.dimension(), 4)),
+        // Six decimals make 1 of a limit that is nearer to it.
+        Measure::Planarity if value < 1.0 && value > 1.0 - 1e-5 => {
+            quantity_words_to(value, measure.dimension(), MOST_DECIMALS)
+        }
         _ => quantity_words(value, measure.dimension()),
     }
 }
@@ -124,6 +128,7 @@ mod tests {
             (Measure::Mass, 2.5, "2.5kg"),
             (Measure::Angle, core::f64::consts::FRAC_PI_3, "60deg"),
             (Measure::Planarity, 0.9998, "0.9998"),
+            (Measure::Planarity, 1.0 - 1e-8, "0.99999999"),
             (Measure::Count, 256.0, "256"),
         ];
         for (measure, value, words) in said {

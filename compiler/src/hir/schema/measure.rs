@@ -96,6 +96,25 @@ impl Measure {
         }
     }
 
+    /// A limit as one would write it, for messages.
+    pub const fn example(self) -> &'static str {
+        match self {
+            Measure::Planarity => ">= 0.9998",
+            Measure::Fold => "<= 1deg",
+            Measure::DiagonalRatio => "<= 0.5%",
+            Measure::Edge | Measure::Length => "in 300mm .. 1200mm",
+            Measure::Width => ">= 80mm",
+            Measure::Area => "<= 0.5m2",
+            Measure::Angle => "in 60deg .. 120deg",
+            Measure::Mitre => "<= 45deg",
+            Measure::Bevel => "<= 30deg",
+            Measure::BendRadius => ">= material.min_bend_radius",
+            Measure::Overlap => ">= 80mm",
+            Measure::Mass => "<= 25kg",
+            Measure::Count => "<= 300",
+        }
+    }
+
     /// The least and the largest value that any element can have: mm, mm², kg, rad, or a plain number.
     pub fn possible(self) -> (f64, f64) {
         match self {
