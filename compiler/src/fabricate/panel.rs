@@ -168,6 +168,22 @@ impl Panel {
         let (low, high) = super::fit::bounds(&self.outline);
         high - low
     }
+
+    /// The least distance of two parallel lines with the outline between them, mm.
+    #[must_use]
+    pub fn least_width(&self) -> f64 {
+        super::fit::least_width(&self.outline)
+    }
+
+    /// The interior angles of the outline at A, B, C, D, rad.
+    #[must_use]
+    pub fn angles(&self) -> [f64; 4] {
+        let corner = |index: usize| self.outline.get(index % 4).copied().unwrap_or_default();
+        [0, 1, 2, 3].map(|at| {
+            let (out, back) = (corner(at + 1) - corner(at), corner(at + 3) - corner(at));
+            libm::atan2(out.perp_dot(back), out.dot(back))
+        })
+    }
 }
 
 /// The boards of one figure and those that cannot be made. Both in the order of the quads.

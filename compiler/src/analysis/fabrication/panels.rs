@@ -53,6 +53,9 @@ impl Work<'_> {
     /// How to planarize, where that is asked for and of use; `None` after a report of an error.
     fn planarize(&mut self, limits: &[LimitValue]) -> Option<Option<Perturbation>> {
         let Some((_, value, span)) = self.setting("planarize").cloned() else { return Some(None) };
+        if self.leave_unplanarized {
+            return Some(None);
+        }
         match settings::perturbation(&value, span, self.goal(limits)) {
             Ok(_) if self.figures().iter().all(|(_, figure)| figure.shape.planar_by_construction()) => {
                 let message =
