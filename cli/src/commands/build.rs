@@ -95,7 +95,7 @@ fn stage(out: &Path) -> Result<Staging, FolderError> {
 /// The sources and parameters of a design, with nothing left out.
 fn provenance(analysis: &Analysis) -> Provenance {
     let sources = project_sources(analysis);
-    let sources = sources.iter().map(|(path, text)| SourceRecord::of(path, text.as_bytes())).collect();
+    let sources = sources.iter().map(|(path, bytes)| SourceRecord::of(path, bytes)).collect();
     let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
     Provenance { sources, parameters, ..Provenance::default() }
 }

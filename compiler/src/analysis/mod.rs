@@ -15,17 +15,18 @@ mod single;
 mod testing;
 
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
-pub use load::{Library, MOST_BYTES, MOST_FILES, ProjectFile};
+pub use load::{Library, MOST_BYTES, MOST_FILES, MeshFile, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry, piece_labels};
-pub use requirements::{LimitValue, RequirementResult};
+pub use requirements::{LimitValue, RequirementResult, value_words};
 pub(crate) use settings::{field, number, text};
 pub use single::{SingleText, single};
 pub use testing::{TestResult, Verdict, run_tests};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
+use crate::hir::index::Index;
 use crate::hir::tree::{Hir, Item, ItemKind};
-use crate::hir::{Checked, ModuleSource, check};
+use crate::hir::{Checked, ModuleSource, check, check_indexed};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
 use std::collections::BTreeSet;
@@ -39,8 +40,12 @@ pub struct Analysis {
     pub root: FileId,
     /// The files of the project that the design is made of: its own first, then those it uses as they are met.
     pub files: Vec<ProjectFile>,
+    /// The meshes that they import, as they are met.
+    pub meshes: Vec<MeshFile>,
     /// Its typed tree.
     pub hir: Hir,
+    /// What every name stands for and every expression is; empty unless it was read for an editor.
+    pub index: Index,
     /// Its parameters as they are used.
     pub parameters: Vec<ParameterValue>,
     /// The names of those that were set from outside.
@@ -75,7 +80,11 @@ impl Analysis {
 
 /// Analyses a design: the file `root`, with parameters set from outside.
 pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
-    let mut analysis = read(files, root, overrides);
+    work_out(read(files, root, overrides), overrides)
+}
+
+/// What has been read, worked out to its boards.
+pub fn work_out(mut analysis: Analysis, overrides: &Overrides) -> Analysis {
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(std::mem::take(&mut analysis.diagnostics));
     // A design with errors is not worked out: what it means is not known. But each ifs stands for itself.
@@ -94,6 +103,20 @@ pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis
 
 /// A design as far as its typed tree: nothing is worked out.
 pub fn read(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
+    read_by(check, files, root, overrides)
+}
+
+/// The same with its index of names and types, for an editor.
+pub fn read_indexed(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
+    read_by(check_indexed, files, root, overrides)
+}
+
+fn read_by(
+    check: fn(&[ModuleSource<'_>]) -> Checked,
+    files: &dyn Files,
+    root: &str,
+    overrides: &Overrides,
+) -> Analysis {
     let loaded = load::load(files, root);
     let root = loaded.files.first().map_or(FileId(0), |file| file.file);
     let mut diagnostics = Diagnostics::default();
@@ -102,7 +125,7 @@ pub fn read(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
     for file in loaded.files.iter().filter(|file| file.readable) {
         diagnostics.extend(file.parse.diagnostics.iter().cloned());
     }
-    let Checked { hir, diagnostics: found } = check(&modules(&loaded.files, &loaded.library));
+    let Checked { hir, diagnostics: found, index } = check(&modules(&loaded.files, &loaded.library));
     diagnostics.extend(cascades::without(found, &loaded.files, &loaded.sources));
     if !diagnostics.has_errors() {
         diagnostics.extend(unknown_parameters(&hir, &loaded.sources, overrides));
@@ -111,7 +134,9 @@ pub fn read(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
         sources: loaded.sources,
         root,
         files: loaded.files,
+        meshes: loaded.meshes,
         hir,
+        index,
         parameters: Vec::new(),
         set_parameters: overrides.parameters.keys().chain(overrides.defaults.keys()).cloned().collect(),
         plan: None,
@@ -128,6 +153,7 @@ fn modules<'a>(files: &'a [ProjectFile], library: &'a Library) -> Vec<ModuleSour
         file: file.file,
         ast: &file.parse.ast,
         uses: &file.uses,
+        imports: &file.imports,
         complete: file.readable && !file.parse.diagnostics.iter().any(cascades::breaks),
     });
     let library = library.modules().map(|(name, file, ast)| ModuleSource {
@@ -136,6 +162,7 @@ fn modules<'a>(files: &'a [ProjectFile], library: &'a Library) -> Vec<ModuleSour
         file,
         ast,
         uses: &[],
+        imports: &[],
         complete: true,
     });
     own.chain(library).collect()
@@ -167,11 +194,11 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
     }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
     if mend {
-        let remedies = mend::Remedies::new(hir, overrides, &evaluated);
+        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated);
         let failed: Vec<Diagnostic> = evaluated
             .fabrications
             .iter()
-            .flat_map(|fabrication| requirements::diagnostics(fabrication, &remedies))
+            .flat_map(|fabrication| requirements::diagnostics(fabrication, &mut remedies))
             .collect();
         diagnostics.extend(failed);
     }

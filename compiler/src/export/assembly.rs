@@ -31,6 +31,10 @@ pub struct Row {
     pub alias: String,
     /// The figure it is part of.
     pub figure: String,
+    /// The ring it is put up in, from 0.
+    pub ring: u32,
+    /// Its place in the order of assembly of its figure, from 1.
+    pub order: u32,
     /// Across each edge; none on the border.
     pub joints: [Option<Joint>; 4],
     /// Where the origin of its outline lies in the building, mm.
@@ -44,7 +48,7 @@ pub struct Row {
 /// The assembly list, in the order of the rows.
 #[must_use]
 pub fn assembly(rows: &[Row]) -> String {
-    let mut headers: Vec<String> = ["address", "alias", "figure"].map(str::to_owned).into();
+    let mut headers: Vec<String> = ["address", "alias", "figure", "ring", "order"].map(str::to_owned).into();
     for edge in 0..4 {
         headers.extend([
             format!("neighbour_{edge}"),
@@ -66,6 +70,7 @@ pub fn assembly(rows: &[Row]) -> String {
 fn cells(row: &Row) -> Vec<Cell<'_>> {
     let mut cells: Vec<Cell<'_>> =
         [&row.address, &row.alias, &row.figure].map(|text| Cell::Text(text)).into();
+    cells.extend([row.ring, row.order].map(|count| Cell::Count(count.into())));
     for joint in &row.joints {
         match joint {
             None => cells.extend([Cell::Empty, Cell::Empty, Cell::Empty]),
@@ -95,6 +100,8 @@ mod tests {
             address: "shell.0".to_owned(),
             alias: "shell-00".to_owned(),
             figure: "a, b".to_owned(),
+            ring: 0,
+            order: 7,
             joints: [None, Some(joint), None, None],
             origin: DVec3::new(1.0, -2.5, 1e-9),
             x: DVec3::X,
@@ -102,14 +109,14 @@ mod tests {
         };
         let text = assembly(&[row]);
         let (headers, cells) = text.split_once('\n').unwrap();
-        assert!(
-            headers.starts_with("address,alias,figure,neighbour_0,neighbour_edge_0,angle_0_deg,neighbour_1")
-        );
+        assert!(headers.starts_with(
+            "address,alias,figure,ring,order,neighbour_0,neighbour_edge_0,angle_0_deg,neighbour_1"
+        ));
         assert_eq!(
             cells,
-            "shell.0,shell-00,\"a, b\",,,,'=shell.1,2,171.8873,,,,,,,1.000,-2.500,0.000,\
+            "shell.0,shell-00,\"a, b\",0,7,,,,'=shell.1,2,171.8873,,,,,,,1.000,-2.500,0.000,\
              1.000000000,0.000000000,0.000000000,0.000000000,0.000000000,1.000000000\n"
         );
-        assert_eq!(headers.split(',').count(), 24);
+        assert_eq!(headers.split(',').count(), 26);
     }
 }

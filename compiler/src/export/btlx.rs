@@ -4,6 +4,7 @@
 //! Reference side 1 of a part is its face that lies up: its x axis is the reference edge, its y axis lies in the face,
 //! its z axis points out of the material. The y axis of the part's own frame is the opposite of that z axis.
 
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::io::{self, Write};
 
 use glam::{DVec2, DVec3};
@@ -67,12 +68,15 @@ pub enum Cut {
         /// where the cut runs inwards on its way down.
         inclinations: Vec<f64>,
     },
-    /// At both ends, square to reference side 1.
+    /// At both ends.
     Ends {
         /// Where each cut meets the reference edge, mm.
         at: [f64; 2],
         /// The angle of each cut's line with the reference edge, rad, anticlockwise, 0 to π.
         angles: [f64; 2],
+        /// How much each cut leans out of square to reference side 1, rad: positive where its normal, taken along x,
+        /// leans out of the material there.
+        leans: [f64; 2],
     },
 }
 
@@ -142,7 +146,7 @@ impl Part {
         writeln!(out, "        <ReferenceSide Side=\"1\" Align=\"no\"/>\n        <Processings>")?;
         match &self.cut {
             Cut::Contour { corners, inclinations } => self.contour(out, corners, inclinations)?,
-            Cut::Ends { at, angles } => ends(out, at, angles)?,
+            Cut::Ends { at, angles, leans } => ends(out, at, angles, leans)?,
         }
         self.text(out)?;
         writeln!(out, "        </Processings>\n      </Part>")
@@ -187,9 +191,10 @@ impl Part {
     }
 }
 
-/// The cuts at both ends. The angle of BTLx opens towards the part: that of an end cut is measured from the other side.
-fn ends(out: &mut dyn Write, at: &[f64; 2], angles: &[f64; 2]) -> io::Result<()> {
-    let angles = [angles[0], std::f64::consts::PI - angles[1]];
+/// The cuts at both ends. The angles of BTLx open towards the part: those of an end cut are measured from the other side.
+fn ends(out: &mut dyn Write, at: &[f64; 2], angles: &[f64; 2], leans: &[f64; 2]) -> io::Result<()> {
+    let angles = [angles[0], PI - angles[1]];
+    let inclinations = [FRAC_PI_2 - leans[0], FRAC_PI_2 + leans[1]];
     for (end, orientation) in ["start", "end"].into_iter().enumerate() {
         let id = end + 1;
         writeln!(
@@ -200,7 +205,8 @@ fn ends(out: &mut dyn Write, at: &[f64; 2], angles: &[f64; 2]) -> io::Result<()>
         writeln!(out, "            <StartX>{}</StartX>", real(at[end])?)?;
         writeln!(out, "            <StartY>0</StartY>\n            <StartDepth>0</StartDepth>")?;
         writeln!(out, "            <Angle>{}</Angle>", degrees(angles[end])?)?;
-        writeln!(out, "            <Inclination>90</Inclination>\n          </JackRafterCut>")?;
+        writeln!(out, "            <Inclination>{}</Inclination>", degrees(inclinations[end])?)?;
+        writeln!(out, "          </JackRafterCut>")?;
     }
     Ok(())
 }

@@ -4,6 +4,7 @@
 mod check;
 pub mod dimension;
 pub mod evaluate;
+pub mod index;
 mod library;
 mod library_docs;
 pub mod map;
@@ -17,6 +18,6 @@ pub mod tree;
 pub mod types;
 pub mod value;
 
-pub use check::{Checked, ModuleSource, check};
+pub use check::{Checked, ImportedMesh, ModuleSource, check, check_indexed};
 pub use library::{LIBRARY, library_text};
 pub use library_docs::{ItemDocs, ModuleDocs, library_docs, library_page};

@@ -9,6 +9,7 @@ use super::Selection;
 use super::place::Frame;
 use crate::analysis::{Analysis, Elements};
 use crate::export::assembly::{Joint, Row};
+use crate::fabricate::label::Label;
 use crate::fabricate::panel::Panel;
 use crate::fabricate::plank::Plank;
 
@@ -22,8 +23,7 @@ pub(super) fn rows(analysis: &Analysis, selection: &Selection) -> Vec<Row> {
         let figure = made.figure.as_str();
         match &made.elements {
             Elements::Panels(made) => {
-                let known = made.panels.iter().map(|panel| (panel.label.address.as_str(), panel)).collect();
-                rows.extend(made.panels.iter().map(|panel| board(panel, &known, figure)));
+                rows.extend(made.panels.iter().map(|panel| board(panel, figure)));
             }
             Elements::Planks(made) => {
                 let known = made.planks.iter().map(|plank| (plank.label.address.as_str(), plank)).collect();
@@ -35,18 +35,15 @@ pub(super) fn rows(analysis: &Analysis, selection: &Selection) -> Vec<Row> {
     rows
 }
 
-fn board(panel: &Panel, known: &BTreeMap<&str, &Panel>, figure: &str) -> Row {
-    let own = panel.label.address.as_str();
+fn board(panel: &Panel, figure: &str) -> Row {
     let joint = |side: usize| {
         let address = panel.neighbours[side].clone()?;
-        let back = known.get(address.as_str()).and_then(|other| {
-            other.neighbours.iter().position(|neighbour| neighbour.as_deref() == Some(own))
-        });
+        let back = panel.neighbour_sides[side].and_then(|back| EDGES.get(usize::from(back)).copied());
         let angle = panel.bevels[side].map(|bevel| PI - 2.0 * bevel);
-        Some(Joint { address, edge: back.map(|side| EDGES[side]), angle })
+        Some(Joint { address, edge: back, angle })
     };
     let joints = [joint(0), joint(1), joint(2), joint(3)];
-    row(panel.label.address.clone(), panel.label.alias.clone(), figure, joints, Frame::of_panel(panel))
+    row(&panel.label, figure, (panel.ring, panel.order), joints, Frame::of_panel(panel))
 }
 
 fn beam(plank: &Plank, known: &BTreeMap<&str, &Plank>, figure: &str) -> Row {
@@ -61,10 +58,16 @@ fn beam(plank: &Plank, known: &BTreeMap<&str, &Plank>, figure: &str) -> Row {
         Some(Joint { address, edge: other.map(|_| ["end", "start"][end]), angle })
     };
     let joints = [joint(0), joint(1), None, None];
-    row(plank.label.address.clone(), plank.label.alias.clone(), figure, joints, Frame::of_plank(plank))
+    row(&plank.label, figure, (plank.ring, plank.order), joints, Frame::of_plank(plank))
 }
 
-fn row(address: String, alias: String, figure: &str, joints: [Option<Joint>; 4], frame: Frame) -> Row {
-    let figure = figure.to_owned();
-    Row { address, alias, figure, joints, origin: frame.origin, x: frame.x, y: frame.y }
+fn row(
+    label: &Label,
+    figure: &str,
+    (ring, order): (u32, u32),
+    joints: [Option<Joint>; 4],
+    frame: Frame,
+) -> Row {
+    let (address, alias, figure) = (label.address.clone(), label.alias.clone(), figure.to_owned());
+    Row { address, alias, figure, ring, order, joints, origin: frame.origin, x: frame.x, y: frame.y }
 }

@@ -47,7 +47,11 @@ fn block(block: &Block<'_>) -> Vec<Output> {
 fn designs(elements: &Elements) -> Box<dyn Iterator<Item = (&str, &[DVec2], &str)> + '_> {
     match elements {
         Elements::Panels(made) => Box::new(made.panels.iter().map(|panel| {
-            (panel.label.address.as_str(), panel.outline.as_slice(), made.settings.material.name.as_str())
+            (
+                panel.label.address.as_str(),
+                panel.design_outline.as_slice(),
+                made.settings.material.name.as_str(),
+            )
         })),
         Elements::Planks(made) => Box::new(made.planks.iter().map(|plank| {
             (plank.label.address.as_str(), plank.outline.as_slice(), made.settings.material.name.as_str())

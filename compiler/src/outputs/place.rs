@@ -27,11 +27,11 @@ impl Frame {
         let [a, b, c, d] = panel.corners;
         let normal = (c - a).cross(d - b).normalize_or(DVec3::Z);
         let along = (b - a - normal * (b - a).dot(normal)).normalize_or(normal.any_orthonormal_vector());
-        let side = (panel.outline[1] - panel.outline[0]).normalize_or(DVec2::X);
+        let side = (panel.design_outline[1] - panel.design_outline[0]).normalize_or(DVec2::X);
         // The direction that lies against the side AB as the x axis does in the outline.
         let x = along * side.x - normal.cross(along) * side.y;
         let y = normal.cross(x);
-        let middle = panel.outline.iter().sum::<DVec2>() / panel.outline.len() as f64;
+        let middle = panel.design_outline.iter().sum::<DVec2>() / 4.0;
         Frame { origin: (a + b + c + d) / 4.0 - x * middle.x - y * middle.y, x, y, normal }
     }
 
@@ -40,8 +40,9 @@ impl Frame {
         let x = (plank.axis[1] - plank.axis[0]).normalize_or(DVec3::X);
         let normal = plank.plane_normal;
         let y = normal.cross(x);
-        // The axis lies in the middle of the depth and begins at the middle of the start cut.
-        let start = (plank.outline[0] + plank.outline[3]) / 2.0;
-        Frame { origin: plank.axis[0] - x * start.x - y * start.y, x, y, normal }
+        // The outline is around all of the plank, whose end cuts may lean: its first corner along the axis is at 0.
+        let ahead = plank.solid.vertices.iter().map(|&corner| (corner - plank.axis[0]).dot(x));
+        let first = ahead.fold(f64::INFINITY, f64::min);
+        Frame { origin: plank.axis[0] + x * first - y * (plank.depth / 2.0), x, y, normal }
     }
 }

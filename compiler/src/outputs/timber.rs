@@ -10,7 +10,7 @@ use crate::analysis::{Analysis, Elements, PanelsMade, PlanksMade};
 use crate::export::btlx::{Cut, Part, Project};
 use crate::fabricate::cut_job::CutJob;
 use crate::fabricate::fit;
-use crate::fabricate::panel::{Panel, Side};
+use crate::fabricate::panel::Panel;
 use crate::fabricate::plank::Plank;
 
 /// All parts that are wanted.
@@ -39,13 +39,9 @@ pub(super) fn project(analysis: &Analysis, blocks: &[Block<'_>]) -> Project {
 /// A board: reference side 1 is its outer face.
 fn board(panel: &Panel, made: &PanelsMade, job: &CutJob, figure: &str) -> Part {
     let thickness = panel.thickness;
-    let (inside, outside) = match made.settings.side {
-        Side::Inner => (0.0, thickness),
-        Side::Centred => (-thickness / 2.0, thickness / 2.0),
-        Side::Outer => (-thickness, 0.0),
-    };
+    let (inside, outside) = made.settings.side.faces(thickness);
     let bevels = panel.bevels.map(|bevel| bevel.unwrap_or(0.0));
-    let face = |height: f64| moved_out(&panel.outline, bevels.map(|bevel| height * libm::tan(bevel)));
+    let face = |height: f64| moved_out(&panel.design_outline, bevels.map(|bevel| height * libm::tan(bevel)));
     let (top, bottom) = (face(outside), face(inside));
     let (low, high) = fit::bounds(&[top, bottom].concat());
     let frame = Frame::of_panel(panel);
@@ -71,7 +67,11 @@ fn board(panel: &Panel, made: &PanelsMade, job: &CutJob, figure: &str) -> Part {
 fn beam(plank: &Plank, made: &PlanksMade, job: &CutJob, figure: &str) -> Part {
     let frame = Frame::of_plank(plank);
     let (low, high) = fit::bounds(&plank.outline);
-    let corner = |index: usize| plank.outline[index] - low;
+    // Of the upper face: start right, end right, end left, start left.
+    let corner = |index: usize| {
+        let from = plank.solid.vertices[4 + index] - frame.origin;
+        DVec2::new(from.dot(frame.x), from.dot(frame.y)) - low
+    };
     let angle = |right: usize, left: usize| (corner(left) - corner(right)).to_angle();
     Part {
         address: plank.label.address.clone(),
@@ -84,7 +84,11 @@ fn beam(plank: &Plank, made: &PlanksMade, job: &CutJob, figure: &str) -> Part {
         origin: frame.at(low) + frame.normal * (plank.width / 2.0),
         x: frame.x,
         normal: frame.normal,
-        cut: Cut::Ends { at: [corner(0).x, corner(1).x], angles: [angle(0, 3), angle(1, 2)] },
+        cut: Cut::Ends {
+            at: [corner(0).x, corner(1).x],
+            angles: [angle(0, 3), angle(1, 2)],
+            leans: plank.bevels,
+        },
         text_at: (high - low) / 2.0,
         text_height: job.engraving.height.min(plank.depth / 2.0),
     }

@@ -22,17 +22,23 @@ fn closed(corners: &[DVec2]) -> Value {
     json!([{ "points": points, "closed": true }])
 }
 
-/// The first design outlines of each block, by the file of their drawing.
-fn design_outlines(analysis: &Analysis) -> Vec<(String, String, Vec<DVec2>)> {
+/// Of the first boards of each block: the address, what the drawing says of it, the design and the cut outline.
+fn outlines(analysis: &Analysis) -> Vec<(String, String, Vec<DVec2>, Vec<DVec2>)> {
     let mut found = Vec::new();
     for made in &analysis.fabrications {
         let outlines: Vec<_> = match &made.elements {
-            Elements::Panels(made) => made.panels.iter().map(|made| (&made.label, &made.outline)).collect(),
-            Elements::Planks(made) => made.planks.iter().map(|made| (&made.label, &made.outline)).collect(),
+            Elements::Panels(made) => made
+                .panels
+                .iter()
+                .map(|made| (&made.label, made.design_outline.to_vec(), &made.outline))
+                .collect(),
+            Elements::Planks(made) => {
+                made.planks.iter().map(|made| (&made.label, made.outline.clone(), &made.outline)).collect()
+            }
         };
-        found.extend(outlines.into_iter().take(DRAWN).map(|(label, outline)| {
+        found.extend(outlines.into_iter().take(DRAWN).map(|(label, design, outline)| {
             let about = format!("{} ({})", label.address, label.alias);
-            (label.address.clone(), about, outline.clone())
+            (label.address.clone(), about, design, outline.clone())
         }));
     }
     found
@@ -70,7 +76,7 @@ fn ezdxf_reads_the_outlines_of_the_examples() {
         let analysis = analysis_of(&example_text(&name));
         let made = outputs(&analysis, &Selection::of(&[Format::Dxf]));
         assert!(made.diagnostics.is_empty(), "{name}: {:?}", made.diagnostics);
-        for (address, about, outline) in design_outlines(&analysis) {
+        for (address, about, design, outline) in outlines(&analysis) {
             let output = made.files.iter().find(|file| file.address.as_ref() == Some(&address)).unwrap();
             assert_eq!(output.kind, "drawing");
             let mut bytes = Vec::new();
@@ -86,10 +92,9 @@ fn ezdxf_reads_the_outlines_of_the_examples() {
             let strokes = polylines_on(&text, &engraved);
             let letters = about.chars().filter(|c| *c == '(').count();
             assert!(strokes.as_array().unwrap().len() > letters, "{file}: nothing is engraved");
-            // The cut outline of a square edge is the design outline.
             expected.push(json!({
                 "file": file, "texts": [about],
-                "polylines": { "DESIGN": closed(&outline), cut: closed(&outline), engraved: strokes },
+                "polylines": { "DESIGN": closed(&design), cut: closed(&outline), engraved: strokes },
             }));
         }
     }

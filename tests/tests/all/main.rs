@@ -11,6 +11,8 @@ mod examples;
 mod figures;
 mod fmt;
 mod format;
+mod imported;
+mod index;
 mod killing;
 mod labels;
 mod library;

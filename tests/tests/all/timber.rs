@@ -29,15 +29,15 @@ fn end_planes(plank: &Plank) -> Value {
 }
 
 fn plank_part(plank: &Plank) -> Value {
-    let length = plank.outline.iter().fold(0.0, |most: f64, corner| most.max(corner.x));
     let along = (plank.axis[1] - plank.axis[0]).normalize();
     let left = plank.plane_normal.cross(along);
-    // The first corner of the blank, on the upper face: below the axis on the right, back to the longest of both faces.
-    let back = plank.outline[0].x.max(plank.outline[3].x) / 2.0;
-    let middle = (plank.outline[0].x + plank.outline[3].x) / 2.0;
-    assert!((back - middle).abs() < 1e-9, "one of both ends of a cut is at 0");
-    let origin = plank.axis[0] - along * middle - left * (plank.depth / 2.0)
-        + plank.plane_normal * (plank.width / 2.0);
+    // The blank is around all of the solid; its corner on the right of the start, on the upper face.
+    let ahead: Vec<f64> =
+        plank.solid.vertices.iter().map(|&corner| (corner - plank.axis[0]).dot(along)).collect();
+    let first = ahead.iter().copied().fold(f64::INFINITY, f64::min);
+    let length = ahead.iter().copied().fold(f64::NEG_INFINITY, f64::max) - first;
+    let origin =
+        plank.axis[0] + along * first - left * (plank.depth / 2.0) + plank.plane_normal * (plank.width / 2.0);
     json!({
         "address": plank.label.address, "alias": plank.label.alias,
         "size": [length, plank.depth, plank.width], "origin": origin.to_array(), "planes": end_planes(plank),
@@ -58,7 +58,7 @@ fn panel_part(panel: &Panel, made: &PanelsMade) -> Value {
         for corner in 0..4 {
             // Where the planes of the two bevels meet at this height, by Cramer's rule on x and y.
             let line = |side: usize| {
-                let (p, q) = (panel.outline[side], panel.outline[(side + 1) % 4]);
+                let (p, q) = (panel.design_outline[side], panel.design_outline[(side + 1) % 4]);
                 let out = -(q - p).normalize().perp();
                 (out, out.dot(p) + height * panel.bevels[side].unwrap_or(0.0).tan())
             };
@@ -69,11 +69,11 @@ fn panel_part(panel: &Panel, made: &PanelsMade) -> Value {
         }
     }
     // Side AB as it lies in the outline and in space gives the x axis.
-    let side = (panel.outline[1] - panel.outline[0]).normalize();
+    let side = (panel.design_outline[1] - panel.design_outline[0]).normalize();
     let along = (b - a).reject_from_normalized(normal).normalize();
     let x = along * side.x - normal.cross(along) * side.y;
     let y = normal.cross(x);
-    let middle = panel.outline.iter().sum::<glam::DVec2>() / 4.0;
+    let middle = panel.design_outline.iter().sum::<glam::DVec2>() / 4.0;
     let origin = (a + b + c + d) / 4.0 + x * (low.x - middle.x) + y * (low.y - middle.y) + normal * outside;
     let bevels = panel.bevels.map(|bevel| bevel.unwrap_or(0.0).to_degrees());
     json!({

@@ -2,6 +2,7 @@
 
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::index::{DeclarationKind, Target};
 use crate::hir::tree::{Boundary, Expr, ExprKind, Ifs, Image, Join};
 use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
@@ -21,6 +22,9 @@ impl Checker<'_> {
     ) {
         if let Some(first) = typed.boundaries.iter().find(|other| other.name == name.text) {
             self.name_taken(&name.text, first.name_span, name.span);
+        }
+        if let Some(id) = frame.own_ifs {
+            self.note(name, DeclarationKind::Boundary(id), Type::Error, None);
         }
         let ast::ExprKind::On(target, ast::Placement::Points(points, points_span)) = &value.kind else {
             if value.kind != ast::ExprKind::Error {
@@ -102,8 +106,11 @@ impl Checker<'_> {
     }
 
     fn own_boundary(&mut self, typed: &Ifs, (name, span): &(String, Span)) {
-        let known = typed.boundaries.iter().any(|boundary| boundary.name == *name);
-        if known || ENDS.contains(&name.as_str()) {
+        let known = typed.boundaries.iter().find(|boundary| boundary.name == *name);
+        if let Some(boundary) = known {
+            self.refer(*span, Target::Declared(boundary.name_span));
+        }
+        if known.is_some() || ENDS.contains(&name.as_str()) {
             return;
         }
         if typed.transforms.iter().any(|transform| transform.name == *name) {
@@ -127,6 +134,10 @@ impl Checker<'_> {
     ) {
         let transform = typed.transforms.iter().find(|transform| transform.name == *first);
         let boundary = typed.boundaries.iter().find(|boundary| boundary.name == *first);
+        let named = transform.map(|transform| transform.name_span);
+        if let Some(declared) = named.or(boundary.map(|boundary| boundary.name_span)) {
+            self.refer(*first_span, Target::Declared(declared));
+        }
         let (target, of_piece) = match (transform, boundary) {
             (Some(transform), _) => match &transform.image {
                 Image::Points { target, .. } => (target, true),
@@ -156,18 +167,22 @@ impl Checker<'_> {
             },
             _ => return,
         };
-        let names: Vec<String> = members
+        let names: Vec<&ast::Name> = members
             .iter()
             .filter_map(|member| match &member.kind {
-                ast::MemberKind::Boundary(name, _) if of_piece => Some(name.text.clone()),
-                ast::MemberKind::Transform(transform) if !of_piece => Some(transform.name.text.clone()),
+                ast::MemberKind::Boundary(name, _) if of_piece => Some(name),
+                ast::MemberKind::Transform(transform) if !of_piece => Some(&transform.name),
                 _ => None,
             })
             .collect();
-        if names.contains(second) || (of_piece && ENDS.contains(&second.as_str())) {
+        let meant = names.iter().find(|name| name.text == *second);
+        if let Some(meant) = meant {
+            self.refer(*second_span, Target::Declared(meant.span));
+        }
+        if meant.is_some() || (of_piece && ENDS.contains(&second.as_str())) {
             return;
         }
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let names: Vec<&str> = names.iter().map(|name| name.text.as_str()).collect();
         let kind = if of_piece { "boundary" } else { "transform" };
         let message = format!("`{name}`, the ifs of `{first}`, has no {kind} `{second}`");
         self.nothing_of_that_name(message, second, *second_span, &names);

@@ -1,8 +1,10 @@
 //! Calls: functions, records, ifs with arguments, and the functions of the program.
 
+use super::fields::Callee;
 use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::index::Target;
 use crate::hir::schema::SchemaKind;
 use crate::hir::tree::{Expr, ExprKind, ItemId, SettingValue};
 use crate::hir::types::{PointSpace, Type};
@@ -43,7 +45,6 @@ impl Checker<'_> {
         match self.symbol(frame.module, name, callee.span) {
             Some(Symbol::Native(native)) => self.native(frame, native, arguments, callee.span, span),
             Some(Symbol::Item(id)) => self.call_item(frame, id, callee.span, arguments, span),
-            Some(Symbol::Later) => self.later(name, callee.span),
             symbol @ (Some(Symbol::Lost) | None) => {
                 for argument in arguments {
                     self.expr(frame, &argument.value, None);
@@ -75,7 +76,10 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         match frame.own_ifs {
-            Some(id) => self.call_item(frame, id, callee.span, arguments, span),
+            Some(id) => {
+                self.refer(callee.span, Target::Declared(self.items[id.0 as usize].name_span));
+                self.call_item(frame, id, callee.span, arguments, span)
+            }
             None => self.expr(frame, callee, None),
         }
     }
@@ -127,7 +131,7 @@ impl Checker<'_> {
         span: Span,
     ) -> Option<Vec<Expr>> {
         let parameters = self.signature(id).parameters;
-        let bound = self.bind(frame, name, &parameters, arguments, at);
+        let bound = self.bind(frame, Callee::Item(id, name), &parameters, arguments, at);
         let values =
             bound.into_iter().zip(parameters).enumerate().map(|(index, (value, parameter))| match value {
                 Some(value) => Some(value),
@@ -244,6 +248,7 @@ impl Checker<'_> {
             self.unknown_word(Code::E0407, name, message, known.iter().map(String::as_str));
             return error_expr(span);
         };
+        self.refer_field(name.span, id, index);
         let ty = fields[index].ty.clone();
         let base = Box::new(base);
         if each {

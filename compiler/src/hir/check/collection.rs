@@ -3,6 +3,7 @@
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::evaluate::MOST_ELEMENTS;
+use crate::hir::index::DeclarationKind;
 use crate::hir::tree::{Clause, Expr, ExprKind};
 use crate::hir::types::Type;
 use crate::source::Span;
@@ -63,7 +64,8 @@ impl Checker<'_> {
                 ast::Clause::For(name, over) => {
                     let over = self.expr(frame, over, None);
                     let ty = self.iterated(&over, "`for`");
-                    checked.push(Clause::For(frame.declare(name, ty), over));
+                    let slot = self.declare(frame, name, ty, DeclarationKind::Running, span);
+                    checked.push(Clause::For(slot, over));
                 }
                 ast::Clause::If(condition) => {
                     checked.push(Clause::If(self.expect(frame, condition, &Type::Bool)));

@@ -4,6 +4,7 @@ use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::dimension::{Worth, unit_worth};
+use crate::hir::index::Target;
 use crate::hir::scalar::Scalar;
 use crate::hir::schema::ChoiceKind;
 use crate::hir::tree::{Expr, ExprKind};
@@ -14,7 +15,9 @@ use crate::syntax::ast;
 impl Checker<'_> {
     /// The typed expression; `expected` is what the place would like, which settles words and coordinates.
     pub(super) fn expr(&mut self, frame: &mut Frame, value: &ast::Expr, expected: Option<&Type>) -> Expr {
-        stacker::maybe_grow(128 * 1024, 1024 * 1024, || self.expr_here(frame, value, expected))
+        let typed = stacker::maybe_grow(128 * 1024, 1024 * 1024, || self.expr_here(frame, value, expected));
+        self.note_type(value.span, &typed.ty);
+        typed
     }
 
     fn expr_here(&mut self, frame: &mut Frame, value: &ast::Expr, expected: Option<&Type>) -> Expr {
@@ -95,11 +98,13 @@ impl Checker<'_> {
         if !kind.words()[position].available {
             return self.later(name, span);
         }
+        self.refer(span, Target::Choice(kind, position));
         Expr { kind: ExprKind::Choice(kind, position), ty: Type::Choice(kind), span }
     }
 
     fn own_ifs(&mut self, frame: &Frame, span: Span) -> Expr {
         if let Some(id) = frame.own_ifs {
+            self.refer(span, Target::Declared(self.items[id.0 as usize].name_span));
             return Expr { kind: ExprKind::SelfIfs(id), ty: Type::Ifs, span };
         }
         let message = "`self` stands for the ifs around, and there is none here";

@@ -3,11 +3,12 @@
 use super::scope::Symbol;
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::index::Target;
 use crate::hir::schema::{Measure, SchemaKind, SettingType};
 use crate::hir::tree::{Expr, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
-use crate::syntax::{MEASURES, ast};
+use crate::syntax::ast;
 
 impl Checker<'_> {
     pub(super) fn fabricate(&mut self, block: &ast::Fabricate) {
@@ -143,6 +144,7 @@ impl Checker<'_> {
             self.report(diagnostic.also(first.name_span, "first given here").hint("remove one of them"));
             return None;
         }
+        self.refer(name.span, Target::Setting(kind, setting.name));
         let value = match &setting.ty {
             SettingType::Later => {
                 self.later(&name.text, name.span);
@@ -173,13 +175,8 @@ impl Checker<'_> {
         span: Span,
     ) -> Option<Requirement> {
         let words = &requirement.measure;
-        let Some(measure) = Measure::named(&words.text) else {
-            // What is no measure at all, the parser has said.
-            if MEASURES.contains(&words.text.as_str()) {
-                self.later(&words.text, words.span);
-            }
-            return None;
-        };
+        // What is no measure at all, the parser has said.
+        let measure = Measure::named(&words.text)?;
         if !measure.applies_to(kind) {
             let message = format!("`{}` is no measure of {}", words.text, kind.name());
             let label = format!("not measured on {}", kind.name());
@@ -189,6 +186,7 @@ impl Checker<'_> {
             self.report(Diagnostic::new(Code::E0806, words.span, message).label(label).note(note));
             return None;
         }
+        self.refer(words.span, Target::Measure(measure));
         let limit = match &requirement.limit {
             ast::Limit::Compare(ast::Comparison::NotEqual, value) => {
                 let message = format!("`{}` can be limited, but not kept from one value", words.text);

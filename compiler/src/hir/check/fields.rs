@@ -3,23 +3,44 @@
 use super::items::Parameter;
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
-use crate::hir::tree::Expr;
+use crate::hir::index::Target;
+use crate::hir::native::Native;
+use crate::hir::tree::{Expr, ItemId};
 use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
 
+/// What is called.
+#[derive(Clone, Copy)]
+pub(super) enum Callee<'n> {
+    /// An item, with its name.
+    Item(ItemId, &'n str),
+    /// A function of the program.
+    Native(Native),
+}
+
+impl<'n> Callee<'n> {
+    fn name(self) -> &'n str {
+        match self {
+            Callee::Item(_, name) => name,
+            Callee::Native(native) => native.declaration().name,
+        }
+    }
+}
+
 impl Checker<'_> {
     /// The argument of each parameter; `None` where its default serves, or where it is missing (then reported).
     ///
-    /// `what` names the callee in messages; `at` is where the callee stands.
+    /// `at` is where the callee stands.
     pub(super) fn bind(
         &mut self,
         frame: &mut Frame,
-        what: &str,
+        callee: Callee<'_>,
         parameters: &[Parameter],
         arguments: &[ast::Argument],
         at: Span,
     ) -> Vec<Option<Expr>> {
+        let what = callee.name();
         let mut places: Vec<Option<&ast::Argument>> = vec![None; parameters.len()];
         let mut next = 0;
         let mut misnamed = false;
@@ -37,6 +58,12 @@ impl Checker<'_> {
                     diagnostic.also(argument_span(earlier), "first given here").hint("remove one of them"),
                 );
                 continue;
+            }
+            if let Some(name) = &argument.name {
+                match callee {
+                    Callee::Item(id, _) => self.refer_field(name.span, id, place),
+                    Callee::Native(native) => self.refer(name.span, Target::NativeParameter(native, place)),
+                }
             }
             places[place] = Some(argument);
         }

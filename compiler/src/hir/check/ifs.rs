@@ -2,6 +2,7 @@
 
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::index::DeclarationKind;
 use crate::hir::tree::{ControlPoint, Expr, ExprKind, Ifs, ItemId, ItemKind};
 use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
@@ -20,8 +21,10 @@ impl Checker<'_> {
         };
         let mut frame = Frame::new(module);
         frame.own_ifs = Some(id);
-        for (field, parameter) in ifs.parameters.iter().zip(&parameters) {
-            frame.declare(&field.name, parameter.ty.clone());
+        let scope = self.declared[id.0 as usize].item.span;
+        for (place, (field, parameter)) in ifs.parameters.iter().zip(&parameters).enumerate() {
+            let kind = DeclarationKind::Field(id, place);
+            self.declare(&mut frame, &field.name, parameter.ty.clone(), kind, scope);
         }
         let mut counts = Vec::new();
         for point in points {
@@ -31,7 +34,8 @@ impl Checker<'_> {
         }
         for (point, count) in points.iter().zip(&counts) {
             let ty = Type::Point(PointSpace::Control);
-            frame.declare(&point.name, if count.is_some() { Type::List(Box::new(ty)) } else { ty });
+            let ty = if count.is_some() { Type::List(Box::new(ty)) } else { ty };
+            self.declare(&mut frame, &point.name, ty, DeclarationKind::ControlPoint, scope);
         }
         let mut typed = Ifs {
             parameters,
@@ -70,6 +74,12 @@ impl Checker<'_> {
         ItemKind::Ifs(typed)
     }
 
+    /// From the end of a member to the end of the ifs around it.
+    fn after(&self, frame: &Frame, member: Span) -> Span {
+        let around = frame.own_ifs.map_or(member, |id| self.declared[id.0 as usize].item.span);
+        Span::new(member.file, member.end, around.end.max(member.end))
+    }
+
     fn refuse_twice(&mut self, frame: &Frame, name: &ast::Name) {
         if let Some(first) = frame.locals.iter().find(|local| local.name == name.text) {
             let message = format!("`{}` is declared twice", name.text);
@@ -87,7 +97,9 @@ impl Checker<'_> {
                     Some(expected) => self.expect(frame, &value.value, expected),
                     None => self.expr(frame, &value.value, None),
                 };
-                let slot = frame.declare(&value.name, expected.unwrap_or_else(|| checked.ty.clone()));
+                let ty = expected.unwrap_or_else(|| checked.ty.clone());
+                let scope = self.after(frame, member.span);
+                let slot = self.declare(frame, &value.name, ty, DeclarationKind::Local, scope);
                 typed.lets.push((slot, checked));
             }
             ast::MemberKind::Transform(transform) => self.transform(frame, typed, transform),

@@ -3,6 +3,7 @@
 use super::scope::item_name;
 use super::{Checker, Frame, State};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::index::DeclarationKind;
 use crate::hir::tree::{Body, Field, Function, Item, ItemId, ItemKind, Param};
 use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
@@ -100,6 +101,7 @@ impl<'a> Checker<'a> {
             _ => return,
         };
         let Some(name) = item_name(item) else { return };
+        self.note(name, DeclarationKind::Item(id), ty.clone(), None);
         self.items[id.0 as usize] =
             Item { name: name.text.clone(), name_span: name.span, docs: item.docs.clone(), kind };
         self.types.entry(id).or_insert(ty);
@@ -177,8 +179,10 @@ impl<'a> Checker<'a> {
     fn function(&mut self, id: ItemId, module: usize, function: &ast::Function) -> (ItemKind, Type) {
         let parameters = self.fields(id, module, &function.parameters);
         let mut frame = Frame::new(module);
-        for (field, parameter) in function.parameters.iter().zip(&parameters) {
-            frame.declare(&field.name, parameter.ty.clone());
+        let scope = self.declared[id.0 as usize].item.span;
+        for (place, (field, parameter)) in function.parameters.iter().zip(&parameters).enumerate() {
+            let kind = DeclarationKind::Field(id, place);
+            self.declare(&mut frame, &field.name, parameter.ty.clone(), kind, scope);
         }
         let result = self.signature(id).result;
         let value = match &result {
@@ -201,6 +205,7 @@ impl<'a> Checker<'a> {
                     Diagnostic::new(Code::E0302, field.name.span, message).label("declared again here");
                 self.report(diagnostic.also(first.name.span, "first declared here"));
             }
+            self.note(&field.name, DeclarationKind::Field(id, index), parameter.ty.clone(), None);
             let default = field.default.as_ref().map(|value| self.body(module, value, Some(&parameter.ty)));
             checked.push(Field { name: parameter.name, ty: parameter.ty, default });
         }

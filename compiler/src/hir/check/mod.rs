@@ -10,6 +10,7 @@ mod fabricate;
 mod fields;
 mod germ;
 mod ifs;
+mod import;
 mod items;
 mod map;
 mod modules;
@@ -18,6 +19,7 @@ mod native;
 mod native_values;
 mod operator;
 mod placement;
+mod record;
 mod records;
 mod scope;
 mod test;
@@ -25,13 +27,16 @@ mod transform;
 mod type_expr;
 mod until;
 
+use super::index::Index;
 use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId, Test};
 use super::types::Type;
+use super::value::Germ;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
 use scope::ModuleScope;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// A parsed file on its way to the checker.
 #[derive(Clone, Copy, Debug)]
@@ -46,9 +51,14 @@ pub struct ModuleSource<'a> {
     pub ast: &'a ast::File,
     /// Where it names files it uses, and which: those that could be read.
     pub uses: &'a [(Span, FileId)],
+    /// Where it names meshes, and what they are.
+    pub imports: &'a [(Span, ImportedMesh)],
     /// Whether all of its text is in the tree.
     pub complete: bool,
 }
+
+/// A mesh that a file names: a germ of triangles in space, or why it is none.
+pub type ImportedMesh = Result<Arc<Germ>, Box<Diagnostic>>;
 
 /// What checking gives.
 #[derive(Debug)]
@@ -57,11 +67,20 @@ pub struct Checked {
     pub hir: Hir,
     /// What was found.
     pub diagnostics: Vec<Diagnostic>,
+    /// The index; empty unless it was asked for.
+    pub index: Index,
 }
 
 /// Checks a design, the first of the modules, with the files it uses, against the library.
 pub fn check(modules: &[ModuleSource<'_>]) -> Checked {
-    let mut checker = Checker::new(modules);
+    let mut checker = Checker::new(modules, None);
+    checker.check_root();
+    checker.finish()
+}
+
+/// The same, with the index of names and types that editors need.
+pub fn check_indexed(modules: &[ModuleSource<'_>]) -> Checked {
+    let mut checker = Checker::new(modules, Some(Index::default()));
     checker.check_root();
     checker.finish()
 }
@@ -92,6 +111,8 @@ struct Checker<'a> {
     diagnostics: Diagnostics,
     /// Candidates compared with unknown names so far.
     comparisons: usize,
+    /// Filled where an index is wanted.
+    index: Option<Index>,
 }
 
 /// The local names around an expression.
@@ -138,7 +159,9 @@ impl<'a> Checker<'a> {
         let library = self.modules.iter().filter(|module| module.is_library());
         let library = library.map(|module| module.file).collect();
         let hir = Hir { items: self.items, fabricates: self.fabricates, tests: self.tests, root, library };
-        Checked { hir, diagnostics: self.diagnostics.finish() }
+        let mut index = self.index.unwrap_or_default();
+        index.sort();
+        Checked { hir, diagnostics: self.diagnostics.finish(), index }
     }
 }
 

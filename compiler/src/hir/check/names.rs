@@ -3,6 +3,7 @@
 use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::index::Target;
 use crate::hir::tree::{Expr, ExprKind, ItemId, ItemKind};
 use crate::hir::types::Type;
 use crate::source::Span;
@@ -14,6 +15,14 @@ const MOST_COMPARISONS: usize = 200_000;
 impl Checker<'_> {
     /// What a name that is no local stands for. A name of the library that is not imported serves with a warning.
     pub(super) fn symbol(&mut self, module: usize, name: &str, span: Span) -> Option<Symbol> {
+        let symbol = self.found(module, name, span);
+        if let Some(symbol) = symbol {
+            self.refer_symbol(span, symbol);
+        }
+        symbol
+    }
+
+    fn found(&mut self, module: usize, name: &str, span: Span) -> Option<Symbol> {
         if let Some(id) = self.modules[module].own.get(name) {
             return Some(Symbol::Item(*id));
         }
@@ -51,6 +60,7 @@ impl Checker<'_> {
 
     pub(super) fn name(&mut self, frame: &Frame, name: &str, span: Span) -> Expr {
         if let Some(local) = frame.locals.iter().rev().find(|local| local.name == name) {
+            self.refer(span, Target::Declared(local.span));
             return Expr { kind: ExprKind::Local(local.id), ty: local.ty.clone(), span };
         }
         match self.symbol(frame.module, name, span) {
@@ -64,7 +74,6 @@ impl Checker<'_> {
                 self.report(diagnostic.hint(format!("write `{name}({})`", names.join(", "))));
                 error_expr(span)
             }
-            Some(Symbol::Later) => self.later(name, span),
             Some(Symbol::Lost) => error_expr(span),
             None => match self.own_germ(frame, name, span) {
                 Some(germ) => germ,

@@ -1,5 +1,6 @@
 //! Calls of the functions of the program, and what they give.
 
+use super::fields::Callee;
 use super::items::Parameter;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
@@ -20,6 +21,9 @@ impl Checker<'_> {
     ) -> Expr {
         if native == Native::Polygon {
             return self.polygon(frame, arguments, at, span);
+        }
+        if native == Native::Import {
+            return self.import_mesh(frame, arguments, at, span);
         }
         self.native_by_parameters(frame, native, arguments, at, span)
     }
@@ -46,7 +50,7 @@ impl Checker<'_> {
                 required: parameter.required,
             })
             .collect();
-        let bound = self.bind(frame, declaration.name, &parameters, arguments, at);
+        let bound = self.bind(frame, Callee::Native(native), &parameters, arguments, at);
         let complete = bound.iter().zip(declaration.parameters).all(|(value, takes)| match value {
             Some(value) => self.takes(declaration.name, value, takes),
             None => !takes.required,
@@ -68,7 +72,8 @@ impl Checker<'_> {
             | Native::Polygon
             | Native::Quad
             | Native::Strut
-            | Native::Mesh => self.germ_type(frame, &values),
+            | Native::Mesh
+            | Native::Import => self.germ_type(frame, &values),
             _ => self.native_type(native, &values),
         };
         match ty {
@@ -167,6 +172,8 @@ impl Checker<'_> {
             Native::Tensor => Type::Ifs,
             Native::Sheet => Type::Figure,
             Native::Chain => Type::Curve,
+            Native::Plane => Type::Plane,
+            Native::Cut => Type::Cut,
             Native::Weighted => return self.weighted(&values[0]),
             Native::Translation
             | Native::ScaleTranslation

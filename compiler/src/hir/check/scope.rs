@@ -1,9 +1,11 @@
 //! Modules and what they declare and import.
 
-use super::{Checker, Declared, ModuleSource, State, broken};
+use super::{Checker, Declared, ImportedMesh, ModuleSource, State, broken};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
-use crate::hir::native::{LATER, Native, natives};
+use crate::hir::index::{DeclarationKind, Index, Target};
+use crate::hir::native::{Native, natives};
 use crate::hir::tree::ItemId;
+use crate::hir::types::Type;
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,8 +17,6 @@ pub(super) enum Symbol {
     Item(ItemId),
     /// A function of the program.
     Native(Native),
-    /// Something of the language that the program cannot do yet.
-    Later,
     /// A name whose import failed; that has been said.
     Lost,
 }
@@ -33,6 +33,7 @@ pub(super) struct ModuleScope<'a> {
     pub(super) file: FileId,
     pub(super) ast: &'a ast::File,
     pub(super) uses: &'a [(Span, FileId)],
+    pub(super) meshes: &'a [(Span, ImportedMesh)],
     pub(super) complete: bool,
     pub(super) own: BTreeMap<&'a str, ItemId>,
     pub(super) public: BTreeMap<&'a str, Symbol>,
@@ -68,7 +69,7 @@ pub(super) fn item_name(item: &ast::Item) -> Option<&ast::Name> {
 }
 
 impl<'a> Checker<'a> {
-    pub(super) fn new(sources: &[ModuleSource<'a>]) -> Self {
+    pub(super) fn new(sources: &[ModuleSource<'a>], index: Option<Index>) -> Self {
         let mut checker = Checker {
             modules: Vec::new(),
             declared: Vec::new(),
@@ -80,6 +81,7 @@ impl<'a> Checker<'a> {
             not_imported: BTreeSet::new(),
             diagnostics: Diagnostics::default(),
             comparisons: 0,
+            index,
         };
         for source in sources {
             checker.declare_module(*source);
@@ -98,6 +100,7 @@ impl<'a> Checker<'a> {
             file: source.file,
             ast: source.ast,
             uses: source.uses,
+            meshes: source.imports,
             complete: source.complete,
             own: BTreeMap::new(),
             public: BTreeMap::new(),
@@ -107,9 +110,6 @@ impl<'a> Checker<'a> {
         if scope.is_library() {
             for native in natives().filter(|native| native.module == source.name) {
                 scope.public.insert(native.name, Symbol::Native(native.native));
-            }
-            for (_, name) in LATER.iter().filter(|(owner, _)| *owner == source.name) {
-                scope.public.insert(name, Symbol::Later);
             }
         }
         for item in &source.ast.items {
@@ -127,6 +127,7 @@ impl<'a> Checker<'a> {
             let id = ItemId(self.items.len() as u32);
             self.items.push(broken(name, &item.docs));
             self.declared.push(Declared { module, item, state: State::Unchecked });
+            self.note(name, DeclarationKind::Item(id), Type::Error, None);
             scope.own.insert(&name.text, id);
             if item.public.is_some() {
                 scope.public.insert(&name.text, Symbol::Item(id));
@@ -147,6 +148,7 @@ impl<'a> Checker<'a> {
                 }
                 continue;
             };
+            self.refer(import.module.span(), Target::Module(self.modules[from].file));
             for name in &import.names {
                 self.import_name(module, from, name);
             }
@@ -170,6 +172,7 @@ impl<'a> Checker<'a> {
             self.lost(module, name, library);
             return;
         };
+        self.refer_symbol(name.span, symbol);
         let scope = &self.modules[module];
         let earlier = scope.imports.get(name.text.as_str()).map(|import| import.span);
         let own = scope.own.get(name.text.as_str()).map(|id| self.items[id.0 as usize].name_span);

@@ -2,6 +2,7 @@
 
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::index::DeclarationKind;
 use crate::hir::tree::{Expr, ExprKind, ItemId, Made, Test, TestStep};
 use crate::hir::types::Type;
 use crate::source::Span;
@@ -10,6 +11,13 @@ use crate::syntax::ast;
 /// What can be asked of a figure.
 const MADE: &[(&str, Made)] =
     &[("boards", Made::Boards), ("elements", Made::Elements), ("vertices", Made::Vertices)];
+
+fn step_end(step: &ast::TestStep) -> u32 {
+    match step {
+        ast::TestStep::Let(value) => value.value.span.end,
+        ast::TestStep::Assert(_, span) | ast::TestStep::Error(span) => span.end,
+    }
+}
 
 impl Checker<'_> {
     /// Checks a test of the design's own file.
@@ -33,7 +41,10 @@ impl Checker<'_> {
                         self.report(diagnostic.hint("give one of them another name"));
                     }
                     let ty = expected.unwrap_or_else(|| expr.ty.clone());
-                    steps.push(TestStep::Let(frame.declare(&value.name, ty), expr));
+                    let end = test.steps.last().map_or(value.value.span.end, step_end);
+                    let scope = Span::new(value.name.span.file, value.value.span.end, end);
+                    let slot = self.declare(&mut frame, &value.name, ty, DeclarationKind::Local, scope);
+                    steps.push(TestStep::Let(slot, expr));
                 }
                 ast::TestStep::Assert(value, span) => {
                     let truth = self.expect(&mut frame, value, &Type::Bool);

@@ -2,6 +2,7 @@
 
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::index::DeclarationKind;
 use crate::hir::tree::{Expr, ExprKind, Ifs, Image, ItemId, Transform};
 use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
@@ -15,11 +16,14 @@ impl Checker<'_> {
                 Diagnostic::new(Code::E0302, transform.name.span, message).label("declared again here");
             self.report(diagnostic.also(first.name_span, "first declared here"));
         }
+        if let Some(id) = frame.own_ifs {
+            self.note(&transform.name, DeclarationKind::Transform(id), Type::Error, None);
+        }
         let outer = frame.locals.len();
         let family = transform.family.as_ref().map(|(name, over)| {
             let over = self.expr(frame, over, None);
             let ty = self.iterated(&over, "a family");
-            (frame.declare(name, ty), over)
+            (self.declare(frame, name, ty, DeclarationKind::Running, transform.value.span), over)
         });
         let image = self.image(frame, typed, &transform.value);
         frame.locals.truncate(outer);
