@@ -57,6 +57,7 @@ pub const SEAMS: &[(&str, &str)] = &[
     ("chumsky", "syntax"),
     ("ariadne", "diagnostic"),
     ("gltf_json", "export"),
+    ("qrcode", "export"),
     ("toml", "analysis"),
 ];
 

@@ -175,7 +175,7 @@ fn a_board_that_the_machine_cannot_cut() {
     "#;
     let analysis = analysed(text.as_bytes(), &[]);
     assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
-    let made = outputs(&analysis, Selection::ALL);
+    let made = outputs(&analysis, &Selection::all());
     assert_eq!(made.diagnostics.len(), 1, "{:?}", made.diagnostics);
     let found = &made.diagnostics[0];
     assert_eq!(found.code, Code::E0901);
@@ -189,7 +189,7 @@ fn a_design_without_figures_is_not_built() {
     for text in ["", "// nothing yet\n", "let width = 27mm\n"] {
         let analysis = analysed(text.as_bytes(), &[]);
         assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
-        let made = outputs(&analysis, Selection::ALL);
+        let made = outputs(&analysis, &Selection::all());
         assert!(made.files.is_empty());
         let codes: Vec<Code> = made.diagnostics.iter().map(|found| found.code).collect();
         assert_eq!(codes, [Code::E0807]);
