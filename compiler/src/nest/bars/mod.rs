@@ -87,7 +87,11 @@ pub struct TooLong {
 
 impl fmt::Display for TooLong {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "it takes {:.1}mm of a bar, which has {:.1}mm between its trimmed ends", self.needed, self.room)
+        write!(
+            out,
+            "it takes {:.1}mm of a bar, which has {:.1}mm between its trimmed ends",
+            self.needed, self.room
+        )
     }
 }
 

@@ -44,9 +44,14 @@ fn as_asked(placed: &Placed, planks: &[Plank]) -> bool {
 
 /// Whether each of its faces is a raw end of the bar or made by a cut at that place.
 fn cut_free(placed: &Placed, bar: &Bar) -> bool {
-    let starts = bar.cuts.iter().any(|cut| cut.after == Some(placed.plank) && (cut.lean - placed.leans[0]).abs() < 1e-6);
+    let starts = bar
+        .cuts
+        .iter()
+        .any(|cut| cut.after == Some(placed.plank) && (cut.lean - placed.leans[0]).abs() < 1e-6);
     let ends = bar.cuts.iter().any(|cut| {
-        cut.before == Some(placed.plank) && cut.at == placed.at[1] && (cut.lean - placed.leans[1]).abs() < 1e-6
+        cut.before == Some(placed.plank)
+            && cut.at == placed.at[1]
+            && (cut.lean - placed.leans[1]).abs() < 1e-6
     });
     let raw_start = placed.at[0] == 0.0 && placed.leans[0] == 0.0;
     let raw_end = placed.leans[1] == 0.0 && bar.planks.last().is_some_and(|last| last.plank == placed.plank);
