@@ -21,7 +21,7 @@ pub(super) fn html(analysis: &Analysis, report: &Report) -> String {
     let made = analysis.fabrications.iter().map(|made| shapes(analysis, made)).collect();
     let mut left = MOST_PLAIN;
     let plain = plain_figures(analysis).filter_map(|place| plain(analysis, place, &mut left)).collect();
-    html::html(&Document { report, made, plain })
+    html::html(&Document { report, made, plain, sheets: Vec::new() })
 }
 
 fn shapes<'a>(analysis: &'a Analysis, made: &'a Fabrication) -> Made<'a> {

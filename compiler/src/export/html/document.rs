@@ -1,6 +1,6 @@
 //! What the report is made of: the report itself and the shapes it shows. Nothing is worked out here.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::export::report::Report;
 use crate::fabricate::label::Label;
@@ -17,6 +17,23 @@ pub struct Document<'a> {
     pub made: Vec<Made<'a>>,
     /// The figures nothing is made of.
     pub plain: Vec<Plain>,
+    /// The raw sheets; empty where parts are not nested.
+    pub sheets: Vec<SheetShape>,
+}
+
+/// A raw sheet and what lies on it. mm; its lower left corner is the origin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SheetShape {
+    /// Its name.
+    pub name: String,
+    /// What it is of: `birch plywood, 12 mm`.
+    pub material: String,
+    /// Length, along x and the grain, and width.
+    pub size: DVec2,
+    /// The part of it that is used, from 0 to 1.
+    pub used: f64,
+    /// The alias of each part, and its outline as it lies on the sheet.
+    pub parts: Vec<(String, Vec<DVec2>)>,
 }
 
 /// The shapes of a fabrication, at its own scale.

@@ -10,7 +10,7 @@ mod number;
 mod section;
 mod table;
 
-pub use document::{CurveShape, Document, Made, PanelShapes, Plain, PlankShapes, SurfaceShape};
+pub use document::{CurveShape, Document, Made, PanelShapes, Plain, PlankShapes, SheetShape, SurfaceShape};
 
 use markup::Markup;
 
@@ -43,6 +43,7 @@ fn body(page: &mut Markup, document: &Document<'_>) {
             section::fabrication::fabrication(page, (place, fabrication), made);
         }
     }
+    section::sheets::sheets(page, &document.sheets);
     page.element("footer", &[], |page| {
         page.text("Lengths in millimetres, angles in degrees, unless another unit is given. Figures are rounded; report.json has all digits.");
     });

@@ -1,6 +1,6 @@
 //! The report of designs that mean harm, of those that fail, and of those too large to be drawn one by one.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
 use super::*;
@@ -58,7 +58,12 @@ fn page(rows: usize, columns: usize, name: &str) -> String {
     fabrication.counts.refused = 1;
     let surface = SurfaceShape { name: name.to_owned(), designed: &mesh, built: &mesh, labels: &labels };
     let shapes = PanelShapes { surfaces: vec![surface], panels: &made.panels, required: 0.9998 };
-    html(&Document { report: &report, made: vec![Made::Panels(shapes)], plain: Vec::new() })
+    html(&Document {
+        report: &report,
+        made: vec![Made::Panels(shapes)],
+        plain: Vec::new(),
+        sheets: Vec::new(),
+    })
 }
 
 /// The tags of a page in order; text between them must have nothing of a tag left.
@@ -95,6 +100,28 @@ fn too_many_boards_are_drawn_in_blocks_and_listed_in_part() {
     assert_eq!(large.matches("<td class=\"name\">shell-").count(), 2000 + 1, "and the refused one");
     assert!(large.contains("The first 2000 of 11\u{202f}000; all are in cutlist.csv."));
     assert!(large.len() < 3_000_000, "{}", large.len());
+}
+
+#[test]
+fn sheets_are_drawn_where_there_are_any() {
+    let mut page = Markup::default();
+    section::sheets::sheets(&mut page, &[]);
+    assert_eq!(page.finish(), "");
+    let outline = [(0.0, 0.0), (1250.0, 0.0), (1250.0, 625.0), (0.0, 625.0)].map(|(x, y)| DVec2::new(x, y));
+    let sheet = |name: &str| SheetShape {
+        name: name.to_owned(),
+        material: "birch plywood, 12 mm".to_owned(),
+        size: DVec2::new(2500.0, 1250.0),
+        used: 0.25,
+        parts: vec![("shell-00-01".to_owned(), outline.to_vec())],
+    };
+    let mut page = Markup::default();
+    section::sheets::sheets(&mut page, &[sheet("1"), sheet("2"), sheet("3")]);
+    let text = page.finish();
+    assert!(text.contains("3 sheets, 25.0 % of them used in the mean."), "{text}");
+    assert_eq!((text.matches("<svg").count(), text.matches(">shell-00-01<").count()), (3, 3));
+    // A quarter of the sheet, at its lower left.
+    assert!(text.contains("d=\"M0 41.5L41.5 41.5L41.5 20.75L0 20.75Z\""), "{text}");
 }
 
 #[test]

@@ -59,7 +59,7 @@ pub(in crate::export::html) fn histogram(page: &mut Markup, shown: &Histogram<'_
     svg(page, shown.size, shown.title, |page| {
         bars(page, shown, &axis, (head, ground), most);
         line(page, DVec2::new(LEFT, ground), DVec2::new(width - RIGHT, ground), "axis");
-        for (value, text) in axis.ticks(((width - LEFT) / 20.0) as usize) {
+        for (value, text) in axis.ticks(((width - LEFT) / 24.0) as usize) {
             let x = axis.place(value);
             line(page, DVec2::new(x, ground), DVec2::new(x, ground + 1.0), "axis");
             letters(page, DVec2::new(x, ground + 4.2), 2.8, Anchor::Middle, "number", &text);

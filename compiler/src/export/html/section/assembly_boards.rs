@@ -158,7 +158,7 @@ fn overview(page: &mut Markup, surface: &SurfaceShape<'_>, (rows, columns): (usi
                     page,
                     DVec2::new(x, corner.y),
                     DVec2::new(x, corner.y + size.y),
-                    "grid",
+                    "extension",
                 );
             }
             for row in (0..=rows).step_by(step(rows)) {
@@ -167,7 +167,7 @@ fn overview(page: &mut Markup, surface: &SurfaceShape<'_>, (rows, columns): (usi
                     page,
                     DVec2::new(corner.x, y),
                     DVec2::new(corner.x + size.x, y),
-                    "grid",
+                    "extension",
                 );
             }
             rectangle(page, corner, size, "outline");

@@ -10,5 +10,6 @@ pub(super) mod provenance;
 pub(super) mod refused;
 pub(super) mod requirements;
 pub(super) mod scene;
+pub(super) mod sheets;
 pub(super) mod surface_map;
 pub(super) mod views;

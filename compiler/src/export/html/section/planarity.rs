@@ -24,7 +24,7 @@ pub(in crate::export::html) fn planarity(
     let maps = Maps::of(panels);
     planarity_maps(page, &maps, panels.required, report.moved.count > 0);
     histograms(page, report, panels.required, at);
-    if let Some(planarize) = &report.planarize {
+    if let Some(planarize) = report.planarize.as_ref().filter(|planarize| planarize.history.len() > 1) {
         page.element("div", &[("class", "together")], |page| {
             page.texts("h3", &[], "Convergence");
             page.element("figure", &[], |page| {
