@@ -3,6 +3,7 @@
 
 mod conflicts;
 mod failure;
+mod unmeasured;
 mod words;
 
 pub(super) use conflicts::conflicts;

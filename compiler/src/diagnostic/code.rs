@@ -140,7 +140,7 @@ codes! {
     E0542 Error "a stated join does not hold",
     E0543 Error "a join of things that cannot be compared",
     E0544 Error "a stated join could not be proved",
-    E0545 Error "a join leaves open which piece of a boundary is meant",
+    E0545 Error "a join leaves open which piece is meant",
     W0546 Warning "a join holds only to within rounding",
 
     // Values.
@@ -151,6 +151,7 @@ codes! {
     E0605 Error "an unknown parameter is set",
     E0606 Error "a text that is no value of the parameter's type",
     E0607 Error "a range that is empty or has no end",
+    W0608 Warning "a requirement that measures nothing",
 
     // Limits.
     E0701 Error "more elements than the limit",

@@ -266,12 +266,23 @@ pub struct Boundary {
 /// `join left.end = right.start`, as written; what the names stand for is known with the arguments.
 #[derive(Clone, Debug)]
 pub struct Join {
-    /// The path before the sign: one or two names.
-    pub left: Vec<(String, Span)>,
+    /// The path before the sign: one or two parts.
+    pub left: Vec<JoinPart>,
     /// The path after it.
-    pub right: Vec<(String, Span)>,
+    pub right: Vec<JoinPart>,
     /// The whole member.
     pub span: Span,
+}
+
+/// A part of a path in a join: `left`, `branch[0]`.
+#[derive(Clone, Debug)]
+pub struct JoinPart {
+    /// Its name.
+    pub name: String,
+    /// Where it stands.
+    pub span: Span,
+    /// Which member of a family it is.
+    pub member: Option<Expr>,
 }
 
 /// A fabricate block.

@@ -1,7 +1,9 @@
 //! `report.html`: the report with the shapes of the analysis.
 
 use super::model::{built_planarity, plain_figures};
-use crate::analysis::{Analysis, Elements, Fabrication, FigureGeometry, PanelsMade, PlanksMade, figure_geometry};
+use crate::analysis::{
+    Analysis, Elements, Fabrication, FigureGeometry, PanelsMade, PlanksMade, figure_geometry,
+};
 use crate::export::html::{self, CurveShape, Document, Made, PanelShapes, Plain, PlankShapes, SurfaceShape};
 use crate::export::report::Report;
 use crate::plan::evaluate::PiecesEvaluator;
@@ -105,7 +107,8 @@ fn pieces(evaluator: &PiecesEvaluator, plain: &mut Plain, left: &mut usize) {
                 GermShape::Strut { .. } => plain.lines.push(points.into_iter().take(2).collect()),
                 GermShape::Polygon => plain.polygons.push(points),
                 GermShape::Mesh { faces } => {
-                    let corners = |face: &Vec<u32>| face.iter().map(|corner| points[*corner as usize]).collect();
+                    let corners =
+                        |face: &Vec<u32>| face.iter().map(|corner| points[*corner as usize]).collect();
                     plain.polygons.extend(faces.iter().map(corners));
                 }
             }

@@ -125,9 +125,8 @@ fn made_curve(made: &Fabrication, place: usize) -> Option<&[DVec3]> {
 /// The places in the plan of figures nothing is made of.
 pub(super) fn plain_figures(analysis: &Analysis) -> impl Iterator<Item = usize> + '_ {
     let sources = analysis.plan.iter().flat_map(|lowered| lowered.sources.iter().enumerate());
-    let made = |item: ItemId| {
-        analysis.fabrications.iter().any(|made| made.figure == analysis.hir.item(item).name)
-    };
+    let made =
+        |item: ItemId| analysis.fabrications.iter().any(|made| made.figure == analysis.hir.item(item).name);
     sources.filter(move |(_, source)| !made(source.item)).map(|(place, _)| place)
 }
 

@@ -5,9 +5,9 @@ use crate::analysis::{Analysis, Elements, Fabrication, LimitValue, PanelsMade, R
 use crate::export::number::Fixed;
 use crate::export::part::Part;
 use crate::export::report::{
-    self, Counts, Distribution, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport, OptionReport,
-    Parameter, PlanarityReport, PlanarizeReport, Quantity, ReliefReport, Report, Requirement, SourceReport,
-    SurfaceSummary,
+    self, Counts, Distribution, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport,
+    OptionReport, Parameter, PlanarityReport, PlanarizeReport, Quantity, ReliefReport, Report, Requirement,
+    SourceReport, SurfaceSummary,
 };
 use crate::fabricate::checks::Limit;
 use crate::fabricate::label::Label;
@@ -25,10 +25,8 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
     let paragraph = docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty());
     out.summary = paragraph.collect::<Vec<_>>().join(" ");
     out.design_hash = design_hash(analysis);
-    let source = |(path, bytes): (String, &[u8])| SourceReport {
-        path,
-        sha256: names::hex(&Sha256::digest(bytes)),
-    };
+    let source =
+        |(path, bytes): (String, &[u8])| SourceReport { path, sha256: names::hex(&Sha256::digest(bytes)) };
     out.sources = project_sources(analysis).into_iter().map(source).collect();
     out.parameters = parameter_texts(analysis)
         .into_iter()

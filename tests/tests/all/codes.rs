@@ -134,6 +134,25 @@ fn a_text_that_is_no_value() {
         assert!(found.hints.iter().any(|hint| hint.text.contains("--set span=")), "{:?}", found.hints);
     }
     assert!(analysed(text, &[("span", "7m")]).diagnostics.is_empty());
+    // What is set is not worked out, which is said.
+    let analysis = analysed(text, &[("span", "6m+200mm")]);
+    assert!(only(&analysis).notes[0].contains("not worked out"), "{:?}", only(&analysis).notes);
+}
+
+/// A long chain of values is worked out where each stands before those that need it; the other way round it is too deep,
+/// which is said as it is.
+#[test]
+fn a_chain_of_values_that_wait_for_each_other() {
+    let mut chain: Vec<String> = (0..6000).map(|i| format!("let a{i} = a{} + 1\n", i + 1)).collect();
+    chain.push("let a6000 = 1\n".to_owned());
+    let analysis = analysed(chain.concat().as_bytes(), &[]);
+    let found = only(&analysis);
+    assert_eq!(found.code, Code::E0703);
+    assert!(found.message.contains("wait for each other"), "{}", found.message);
+    assert!(found.hints.iter().any(|hint| hint.text.contains("before")), "{:?}", found.hints);
+    chain.reverse();
+    let analysis = analysed(chain.concat().as_bytes(), &[]);
+    assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
 }
 
 /// A flute of 8mm does not reach through a board of 12mm.

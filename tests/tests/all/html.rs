@@ -16,7 +16,13 @@ use ifs_tests::{program, scratch};
 fn print(page: &Path, pdf: &Path) -> Vec<String> {
     let profile = pdf.with_extension("profile");
     let Output { status, stderr, .. } = Command::new("chromium")
-        .args(["--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", "--no-pdf-header-footer"])
+        .args([
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--enable-logging=stderr",
+            "--no-pdf-header-footer",
+        ])
         .arg(format!("--user-data-dir={}", profile.display()))
         .arg(format!("--print-to-pdf={}", pdf.display()))
         .arg(format!("file://{}", page.display()))
@@ -30,7 +36,8 @@ fn print(page: &Path, pdf: &Path) -> Vec<String> {
 /// The pages of a PDF as text.
 fn pages(pdf: &Path) -> Vec<String> {
     let output = Command::new("pdftotext").arg("-layout").arg(pdf).arg("-").output();
-    let output = output.unwrap_or_else(|error| panic!("pdftotext does not run ({error}): run tests/setup.sh"));
+    let output =
+        output.unwrap_or_else(|error| panic!("pdftotext does not run ({error}): run tests/setup.sh"));
     assert!(output.status.success());
     let text = String::from_utf8(output.stdout).unwrap();
     let mut pages: Vec<String> = text.split('\u{c}').map(str::to_owned).collect();
@@ -43,7 +50,8 @@ fn chromium_shows_and_prints_the_report() {
     let folder = scratch("html-chromium");
     for (name, least, most) in [("shell", 7, 13), ("lattice", 7, 15)] {
         let out = folder.join(name);
-        run(program().arg("build").arg(example_path(name)).args(["--emit", "html,json", "-o"]).arg(&out)).good();
+        run(program().arg("build").arg(example_path(name)).args(["--emit", "html,json", "-o"]).arg(&out))
+            .good();
         let pdf = folder.join(format!("{name}.pdf"));
         assert_eq!(print(&out.join("report.html"), &pdf), [""; 0], "{name}");
         let pages = pages(&pdf);
@@ -79,7 +87,8 @@ fn chromium_s_console_is_heard() {
 #[test]
 fn the_referee_refuses_other_pages() {
     let folder = scratch("html-changed");
-    run(program().arg("build").arg(example_path("shell")).args(["--emit", "html,json", "-o"]).arg(&folder)).good();
+    run(program().arg("build").arg(example_path("shell")).args(["--emit", "html,json", "-o"]).arg(&folder))
+        .good();
     let path = folder.join("report.html");
     let good = fs::read_to_string(&path).unwrap();
     let refused = |from: &str, to: &str| {

@@ -1,6 +1,7 @@
 //! The diagnostic of a requirement that fails, and of elements larger than what they are cut from: the worst of them, how
 //! many there are, and what would mend it.
 
+use super::unmeasured::unmeasured;
 use super::words::{beyond_words, plural, value_words};
 use super::{LimitValue, RequirementResult};
 use crate::analysis::fabrication::{Elements, Fabrication};
@@ -12,15 +13,18 @@ use crate::hir::schema::Measure;
 /// How many elements a message shows.
 const SHOWN: usize = 4;
 
-/// A diagnostic for elements of a block that are too large, and one for each requirement of it that fails.
+/// A diagnostic for elements of a block that are too large, and one for each requirement of it that fails or measures
+/// nothing.
 pub(in crate::analysis) fn diagnostics(
     fabrication: &Fabrication,
     remedies: &mut Remedies<'_>,
 ) -> Vec<Diagnostic> {
     let mut found: Vec<Diagnostic> = too_large(fabrication, remedies).into_iter().collect();
     let requirements = fabrication.requirements.iter().enumerate();
-    let failing = requirements.filter(|(_, requirement)| !requirement.result.holds());
-    found.extend(failing.map(|(place, requirement)| failure(fabrication, place, requirement, remedies)));
+    found.extend(requirements.filter_map(|(place, requirement)| match requirement.result.holds() {
+        false => Some(failure(fabrication, place, requirement, remedies)),
+        true => unmeasured(fabrication, requirement),
+    }));
     found
 }
 

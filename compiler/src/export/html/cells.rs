@@ -47,7 +47,8 @@ impl Cells {
     /// The quads of a block.
     pub(super) fn members(self, cell: Cell) -> impl Iterator<Item = usize> {
         let width = self.grid.map_or(self.quads, |(_, columns)| columns);
-        (cell.rows.0..cell.rows.1).flat_map(move |row| (cell.columns.0..cell.columns.1).map(move |column| row * width + column))
+        (cell.rows.0..cell.rows.1)
+            .flat_map(move |row| (cell.columns.0..cell.columns.1).map(move |column| row * width + column))
     }
 
     /// The outer corners of a block on a mesh of these quads.
@@ -65,7 +66,8 @@ pub(super) fn grid(labels: &[Label]) -> Option<(usize, usize)> {
     let columns = labels.iter().take_while(|label| label.row == Some(0)).count();
     let rows = labels.len().checked_div(columns)?;
     let in_place = |(place, label): (usize, &Label)| {
-        label.row == u32::try_from(place / columns).ok() && label.column == u32::try_from(place % columns).ok()
+        label.row == u32::try_from(place / columns).ok()
+            && label.column == u32::try_from(place % columns).ok()
     };
     (rows * columns == labels.len() && labels.iter().enumerate().all(in_place)).then_some((rows, columns))
 }
@@ -77,7 +79,9 @@ mod tests {
 
     fn labels(rows: u32, columns: u32) -> Vec<Label> {
         let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
-        places.map(|(row, column)| Label { row: Some(row), column: Some(column), ..Label::default() }).collect()
+        places
+            .map(|(row, column)| Label { row: Some(row), column: Some(column), ..Label::default() })
+            .collect()
     }
 
     #[test]

@@ -9,8 +9,26 @@ pub(super) struct Markup {
 
 /// Elements after which a line may end: between them spaces show nothing.
 const ON_A_LINE: [&str; 20] = [
-    "html", "head", "body", "title", "style", "meta", "header", "footer", "section", "div", "figure", "figcaption", "table",
-    "tr", "thead", "tbody", "svg", "p", "dl", "g",
+    "html",
+    "head",
+    "body",
+    "title",
+    "style",
+    "meta",
+    "header",
+    "footer",
+    "section",
+    "div",
+    "figure",
+    "figcaption",
+    "table",
+    "tr",
+    "thead",
+    "tbody",
+    "svg",
+    "p",
+    "dl",
+    "g",
 ];
 
 impl Markup {

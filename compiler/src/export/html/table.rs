@@ -58,7 +58,11 @@ pub(super) fn table(
 
 fn head(page: &mut Markup, columns: &[Column]) {
     for column in columns {
-        let all = [("scope", "col"), ("class", if column.numeric { "n" } else { "t" }), ("data-field", column.field)];
+        let all = [
+            ("scope", "col"),
+            ("class", if column.numeric { "n" } else { "t" }),
+            ("data-field", column.field),
+        ];
         let attributes = &all[..if column.field.is_empty() { 2 } else { 3 }];
         page.element("th", attributes, |page| {
             page.text(column.title);

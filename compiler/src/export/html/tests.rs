@@ -9,7 +9,7 @@ use crate::export::report::Report;
 use crate::export::report::tests::report;
 use crate::fabricate::label::Label;
 use crate::fabricate::material::Material;
-use crate::fabricate::panel::{Grain, PanelSettings, Panels, Side, panels};
+use crate::fabricate::panel::{Edges, Grain, PanelSettings, Panels, Side, panels};
 use crate::geometry::{QuadMesh, samples};
 
 /// A waved surface of boards in rows and columns, with these figures' names.
@@ -28,7 +28,13 @@ fn waved(rows: usize, columns: usize, name: &str) -> (QuadMesh, Vec<Label>, Pane
         .collect();
     let material =
         Material { name: name.to_owned(), thickness: Some(12.0), density: None, least_bend_radius: None };
-    let settings = PanelSettings { material, board: (2500.0, 1250.0), side: Side::Centred, grain: Grain::U };
+    let settings = PanelSettings {
+        material,
+        board: (2500.0, 1250.0),
+        side: Side::Centred,
+        grain: Grain::U,
+        edges: Edges::Square,
+    };
     let made = panels(&mesh, &mesh, &labels, &settings).unwrap();
     (mesh, labels, made)
 }
@@ -37,7 +43,9 @@ fn waved(rows: usize, columns: usize, name: &str) -> (QuadMesh, Vec<Label>, Pane
 fn page(rows: usize, columns: usize, name: &str) -> String {
     let (mesh, labels, made) = waved(rows, columns, name);
     let mut report: Report = report();
-    for text in [&mut report.design, &mut report.summary, &mut report.design_hash, &mut report.parameters[0].value] {
+    for text in
+        [&mut report.design, &mut report.summary, &mut report.design_hash, &mut report.parameters[0].value]
+    {
         *text = name.to_owned();
     }
     let fabrication = &mut report.fabrications[0];

@@ -106,7 +106,10 @@ impl Requirement {
             measure,
             holds: result.holds(),
             unit,
-            limits: limits.iter().map(|&(words, value)| LimitReport { words, value: number(value) }).collect(),
+            limits: limits
+                .iter()
+                .map(|&(words, value)| LimitReport { words, value: number(value) })
+                .collect(),
             failing: result.failing,
             total: result.total,
             least: result.extremes.map(|(least, _)| number(least)),

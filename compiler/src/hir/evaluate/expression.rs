@@ -1,6 +1,6 @@
 //! Expressions: which kind goes where.
 
-use super::{Evaluator, Frame, Outcome, Stop};
+use super::{Call, Evaluator, Frame, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
 use crate::hir::scalar::{Scalar, ScalarError};
@@ -155,7 +155,7 @@ impl Evaluator<'_> {
         for (slot, argument) in inner.slots.iter_mut().zip(arguments) {
             *slot = Ok(argument);
         }
-        self.calls.push(span);
+        self.calls.push(Call { span, of: id });
         let outcome = self.expr(&mut inner, &function.body.value);
         self.calls.pop();
         outcome

@@ -64,7 +64,8 @@ fn decades(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
             .filter(|value| (low * (1.0 - 1e-9)..=high * (1.0 + 1e-9)).contains(value))
             .collect()
     };
-    let kinds: [(i32, &[f64]); 5] = [(1, &[1.0, 2.0, 5.0]), (1, &[1.0, 3.0]), (1, &[1.0]), (2, &[1.0]), (4, &[1.0])];
+    let kinds: [(i32, &[f64]); 5] =
+        [(1, &[1.0, 2.0, 5.0]), (1, &[1.0, 3.0]), (1, &[1.0]), (2, &[1.0]), (4, &[1.0])];
     let found = kinds.into_iter().map(|(every, digits)| tens(every, digits));
     let values = found.into_iter().find(|values| values.len() <= most).unwrap_or_default();
     values.into_iter().map(|value| (value, small(value))).collect()
@@ -85,7 +86,11 @@ pub(in crate::export::html) fn round_step(least: f64) -> f64 {
         return 1.0;
     }
     let power = libm::pow(10.0, libm::floor(libm::log10(least)));
-    [1.0, 2.0, 5.0].map(|digit| digit * power).into_iter().find(|step| *step >= least * (1.0 - 1e-9)).unwrap_or(10.0 * power)
+    [1.0, 2.0, 5.0]
+        .map(|digit| digit * power)
+        .into_iter()
+        .find(|step| *step >= least * (1.0 - 1e-9))
+        .unwrap_or(10.0 * power)
 }
 
 #[cfg(test)]
@@ -97,10 +102,19 @@ mod tests {
         assert_eq!([0.7, 1.0, 1.1, 3.0, 51.0].map(round_step), [1.0, 1.0, 2.0, 5.0, 100.0]);
         let texts = |axis: Axis, most| axis.ticks(most).into_iter().map(|(_, text)| text).collect::<Vec<_>>();
         assert_eq!(texts(Axis::linear([231.0, 262.0], [0.0, 1.0]), 4), ["240", "250", "260"]);
-        assert_eq!(texts(Axis::linear([0.9998, 1.0], [0.0, 1.0]), 4), ["0.99980", "0.99985", "0.99990", "0.99995", "1.00000"]);
+        assert_eq!(
+            texts(Axis::linear([0.9998, 1.0], [0.0, 1.0]), 4),
+            ["0.99980", "0.99985", "0.99990", "0.99995", "1.00000"]
+        );
         assert_eq!(texts(Axis::logarithmic([0.5, 200.0], [0.0, 1.0]), 4), ["1", "10", "100"]);
-        assert_eq!(texts(Axis::logarithmic([1e-7, 1e-5], [0.0, 1.0]), 4), ["1e\u{2212}7", "1e\u{2212}6", "1e\u{2212}5"]);
-        assert_eq!(texts(Axis::logarithmic([100.0, 300.0], [0.0, 1.0]), 4), ["100", "150", "200", "250", "300"]);
+        assert_eq!(
+            texts(Axis::logarithmic([1e-7, 1e-5], [0.0, 1.0]), 4),
+            ["1e\u{2212}7", "1e\u{2212}6", "1e\u{2212}5"]
+        );
+        assert_eq!(
+            texts(Axis::logarithmic([100.0, 300.0], [0.0, 1.0]), 4),
+            ["100", "150", "200", "250", "300"]
+        );
     }
 
     #[test]

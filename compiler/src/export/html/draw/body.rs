@@ -149,11 +149,8 @@ mod tests {
     #[test]
     fn a_cube_shows_three_faces_and_nine_edges() {
         let square = crate::geometry::samples::square(100.0);
-        let cube = Solid::between(
-            square,
-            square.map(|corner| corner + DVec3::Z * 100.0),
-            [[0, 1, 2], [2, 3, 0]],
-        );
+        let cube =
+            Solid::between(square, square.map(|corner| corner + DVec3::Z * 100.0), [[0, 1, 2], [2, 3, 0]]);
         let body = Body::of_solid(&cube, [1.0; 3], "<cube>");
         let frame = Frame::fitted(View::axonometric(), body.corners(), DVec2::splat(50.0)).unwrap();
         let mut page = Markup::default();

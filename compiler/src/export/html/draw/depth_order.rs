@@ -77,7 +77,8 @@ fn overlapping(view: View, hulls: &[Hull], order: &[usize]) -> Option<Vec<(usize
         })
         .collect();
     let mut by_left: Vec<usize> = (0..boxes.len()).collect();
-    by_left.sort_by(|&first, &second| boxes[first].0.x.total_cmp(&boxes[second].0.x).then(first.cmp(&second)));
+    by_left
+        .sort_by(|&first, &second| boxes[first].0.x.total_cmp(&boxes[second].0.x).then(first.cmp(&second)));
     let mut pairs = Vec::new();
     let mut looked = 0;
     for (place, &first) in by_left.iter().enumerate() {

@@ -18,7 +18,8 @@ pub(in crate::export::html) fn below(page: &mut Markup, from: DVec2, to: DVec2, 
     let text = words(length);
     // Between the slashes, or behind them where it does not fit.
     let fits = text_width(&text, SIZE) + 2.0 <= to.x - from.x;
-    let (at, anchor) = if fits { ((from + to) / 2.0, Anchor::Middle) } else { (to + DVec2::X * 2.0, Anchor::Start) };
+    let (at, anchor) =
+        if fits { ((from + to) / 2.0, Anchor::Middle) } else { (to + DVec2::X * 2.0, Anchor::Start) };
     letters(page, at - DVec2::Y * 0.9, SIZE, anchor, "number", &text);
 }
 

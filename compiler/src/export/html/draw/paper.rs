@@ -90,7 +90,8 @@ pub(in crate::export::html) fn turned_letters(
 ) {
     let [x, y, size, degrees] = [at.x, at.y, size, degrees].map(coordinate);
     let turn = format!("translate({x} {y}) rotate({degrees})");
-    let attributes = [("class", class), ("transform", &turn), ("font-size", &size), ("text-anchor", "middle")];
+    let attributes =
+        [("class", class), ("transform", &turn), ("font-size", &size), ("text-anchor", "middle")];
     page.texts("text", &attributes, text);
 }
 

@@ -23,7 +23,11 @@ pub(in crate::export::html) fn scale_words(denominator: f64) -> String {
         let text = shown(value, 2);
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     };
-    if denominator >= 1.0 { format!("1:{}", short(denominator)) } else { format!("{}:1", short(1.0 / denominator)) }
+    if denominator >= 1.0 {
+        format!("1:{}", short(denominator))
+    } else {
+        format!("{}:1", short(1.0 / denominator))
+    }
 }
 
 /// Draws a bar of four parts under `at`, its upper left corner; `scale` is mm on paper for a mm of the thing. About 40 mm

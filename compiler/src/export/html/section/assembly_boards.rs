@@ -29,7 +29,9 @@ pub(in crate::export::html) fn assembly(page: &mut Markup, panels: &PanelShapes<
             page.texts("h3", &[], &surface.name);
         }
         match grid(surface.labels) {
-            Some(size) if surface.labels.len() <= MOST_NAMED => tiles(page, surface, size, &|label| made.contains(label.address.as_str())),
+            Some(size) if surface.labels.len() <= MOST_NAMED => {
+                tiles(page, surface, size, &|label| made.contains(label.address.as_str()))
+            }
             Some(size) => overview(page, surface, size),
             None => listed(page, surface.labels),
         }
@@ -47,7 +49,12 @@ pub(super) fn common_start(labels: &[Label]) -> &str {
     &first[..end]
 }
 
-fn tiles(page: &mut Markup, surface: &SurfaceShape<'_>, (rows, columns): (usize, usize), made: &dyn Fn(&Label) -> bool) {
+fn tiles(
+    page: &mut Markup,
+    surface: &SurfaceShape<'_>,
+    (rows, columns): (usize, usize),
+    made: &dyn Fn(&Label) -> bool,
+) {
     let start = common_start(surface.labels);
     let even = |count: usize, most: usize| count.div_ceil(count.div_ceil(most).max(1));
     let (wide, high) = (even(columns, TILE.0), even(rows, TILE.1));
@@ -93,7 +100,14 @@ fn tile(
         }
         for row in top..bottom {
             let y = HEAD + height * (row - top) as f64;
-            letters(page, DVec2::new(LEFT - 2.0, y + height / 2.0 + 0.9), 2.6, Anchor::End, "note", &row.to_string());
+            letters(
+                page,
+                DVec2::new(LEFT - 2.0, y + height / 2.0 + 0.9),
+                2.6,
+                Anchor::End,
+                "note",
+                &row.to_string(),
+            );
             for column in left..right {
                 let Some(label) = surface.labels.get(row * columns + column) else { continue };
                 let corner = DVec2::new(LEFT + width * (column - left) as f64, y);
@@ -109,7 +123,13 @@ fn tile(
 
 fn page_alias(page: &mut Markup, at: DVec2, size: f64, text: &str) {
     let [x, y, size] = [at.x, at.y, size].map(coordinate);
-    let attributes = [("class", "cell-text"), ("x", x.as_str()), ("y", &y), ("font-size", &size), ("text-anchor", "middle")];
+    let attributes = [
+        ("class", "cell-text"),
+        ("x", x.as_str()),
+        ("y", &y),
+        ("font-size", &size),
+        ("text-anchor", "middle"),
+    ];
     page.texts("text", &attributes, text);
 }
 
@@ -134,11 +154,21 @@ fn overview(page: &mut Markup, surface: &SurfaceShape<'_>, (rows, columns): (usi
             let step = |count: usize| if count > 300 { 100 } else { 10 };
             for column in (0..=columns).step_by(step(columns)) {
                 let x = corner.x + column as f64 * scale;
-                crate::export::html::draw::paper::line(page, DVec2::new(x, corner.y), DVec2::new(x, corner.y + size.y), "grid");
+                crate::export::html::draw::paper::line(
+                    page,
+                    DVec2::new(x, corner.y),
+                    DVec2::new(x, corner.y + size.y),
+                    "grid",
+                );
             }
             for row in (0..=rows).step_by(step(rows)) {
                 let y = corner.y + row as f64 * scale;
-                crate::export::html::draw::paper::line(page, DVec2::new(corner.x, y), DVec2::new(corner.x + size.x, y), "grid");
+                crate::export::html::draw::paper::line(
+                    page,
+                    DVec2::new(corner.x, y),
+                    DVec2::new(corner.x + size.x, y),
+                    "grid",
+                );
             }
             rectangle(page, corner, size, "outline");
             let ends = corner + size;
@@ -152,10 +182,27 @@ fn overview(page: &mut Markup, surface: &SurfaceShape<'_>, (rows, columns): (usi
                 letters(page, at, 3.0, anchor, "cell-text", name);
             }
             let middle = (corner + ends) / 2.0;
-            letters(page, DVec2::new(middle.x, corner.y - 8.0), 2.8, Anchor::Middle, "note", &format!("{} columns", count(columns)));
-            letters(page, DVec2::new(corner.x - 3.0, middle.y), 2.8, Anchor::End, "note", &format!("{} rows", count(rows)));
+            letters(
+                page,
+                DVec2::new(middle.x, corner.y - 8.0),
+                2.8,
+                Anchor::Middle,
+                "note",
+                &format!("{} columns", count(columns)),
+            );
+            letters(
+                page,
+                DVec2::new(corner.x - 3.0, middle.y),
+                2.8,
+                Anchor::End,
+                "note",
+                &format!("{} rows", count(rows)),
+            );
         });
-        let caption = format!("Lines at every {} row and column; the boards at the corners by their aliases.", if rows.max(columns) > 300 { "hundredth" } else { "tenth" });
+        let caption = format!(
+            "Lines at every {} row and column; the boards at the corners by their aliases.",
+            if rows.max(columns) > 300 { "hundredth" } else { "tenth" }
+        );
         page.texts("figcaption", &[], &caption);
     });
 }
@@ -165,10 +212,19 @@ fn listed(page: &mut Markup, labels: &[Label]) {
     let text = format!(
         "{} that do not lie in rows and columns. {}",
         counted(labels.len(), "board"),
-        if labels.len() > MOST_NAMED { format!("The first {}; cutlist.csv has all.", count(MOST_NAMED)) } else { String::new() }
+        if labels.len() > MOST_NAMED {
+            format!("The first {}; cutlist.csv has all.", count(MOST_NAMED))
+        } else {
+            String::new()
+        }
     );
     page.texts("p", &[], text.trim());
-    let columns = [Column::text("Alias", ""), Column::text("Address", ""), Column::text("Alias", ""), Column::text("Address", "")];
+    let columns = [
+        Column::text("Alias", ""),
+        Column::text("Address", ""),
+        Column::text("Alias", ""),
+        Column::text("Address", ""),
+    ];
     table(page, "dense", "", &columns, |rows| {
         for pair in labels[..labels.len().min(MOST_NAMED)].chunks(2) {
             rows.row(pair.iter().flat_map(|label| [Cell::Name(&label.alias), Cell::Text(&label.address)]));

@@ -70,7 +70,8 @@ fn elevation(page: &mut Markup, curve: &CurveShape<'_>, planks: &[&Plank]) {
     if !(scale.is_finite() && scale > 0.0) {
         return;
     }
-    let paper = |point: DVec2| DVec2::new(MARGIN + (point.x - low.x) * scale, MARGIN + (high.y - point.y) * scale);
+    let paper =
+        |point: DVec2| DVec2::new(MARGIN + (point.x - low.x) * scale, MARGIN + (high.y - point.y) * scale);
     let start = common_start(curve.labels);
     let (width, height) = (size.x * scale + 2.0 * MARGIN, size.y * scale + 2.0 * MARGIN + 9.0);
     let middle = paper(points().sum::<DVec2>() / points().count().max(1) as f64);
@@ -82,7 +83,12 @@ fn elevation(page: &mut Markup, curve: &CurveShape<'_>, planks: &[&Plank]) {
                 path.write(page, &[("class", "plank")]);
             }
             for (plank, corners) in planks.iter().zip(&outlines) {
-                name(page, &plank.label.alias[start.len().min(plank.label.alias.len())..], &corners.map(paper), middle);
+                name(
+                    page,
+                    &plank.label.alias[start.len().min(plank.label.alias.len())..],
+                    &corners.map(paper),
+                    middle,
+                );
             }
             scale_bar(page, DVec2::new(MARGIN, height - 6.0), scale);
         });
@@ -106,7 +112,12 @@ fn outline(plank: &Plank, flat: &impl Fn(DVec3) -> DVec2) -> [DVec2; 4] {
     // Seen from behind, left and right change places.
     let turned = flat(plank.plane_normal.cross(plank.axis[1] - plank.axis[0])).perp_dot(along) > 0.0;
     let side = if turned { -side } else { side };
-    [start - side + along * (a - from), end - side + along * (b - to), end + side + along * (c - to), start + side + along * (d - from)]
+    [
+        start - side + along * (a - from),
+        end - side + along * (b - to),
+        end + side + along * (c - to),
+        start + side + along * (d - from),
+    ]
 }
 
 /// The name of a plank, off its middle on the side away from the middle of the curve.

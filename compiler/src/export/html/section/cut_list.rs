@@ -22,8 +22,12 @@ pub(in crate::export::html) fn cut_list(page: &mut Markup, fabrication: &Fabrica
         false => String::new(),
     };
     let conventions = match planks {
-        true => "The inner and outer length are those of the faces square to the plane of the curve; mitres are measured from a square cut.",
-        false => "Edges 0 to 3 go round the outline, edge 0 along the rows. A bevel is positive on a ridge and negative in a valley; edges on the border have none. Length and width are those of the box round the outline, the length along the grain.",
+        true => {
+            "The inner and outer length are those of the faces square to the plane of the curve; mitres are measured from a square cut."
+        }
+        false => {
+            "Edges 0 to 3 go round the outline, edge 0 along the rows. A bevel is positive on a ridge and negative in a valley; edges on the border have none. Length and width are those of the box round the outline, the length along the grain."
+        }
     };
     let text = format!("{section}{rest}{conventions} Addresses, neighbours and files are in cutlist.csv.");
     page.texts("p", &[], &text);

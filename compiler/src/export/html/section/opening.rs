@@ -58,7 +58,11 @@ fn verdict(page: &mut Markup, report: &Report) {
             page.texts("p", &[], "The design asks for no boards or planks: there is nothing to cut.");
             return;
         }
-        page.texts("p", &[("class", "word")], if holds { "Can be built" } else { "Cannot be built as it is" });
+        page.texts(
+            "p",
+            &[("class", "word")],
+            if holds { "Can be built" } else { "Cannot be built as it is" },
+        );
         let requirements = match (required, failing) {
             (0, _) => "The design requires nothing of them.".to_owned(),
             (1, 0) => "The one requirement of the design holds.".to_owned(),
@@ -77,7 +81,11 @@ fn verdict(page: &mut Markup, report: &Report) {
 }
 
 fn refused_words(refused: usize) -> String {
-    if refused == 1 { "1 is".to_owned() } else { format!("{} are", crate::export::html::number::count(refused)) }
+    if refused == 1 {
+        "1 is".to_owned()
+    } else {
+        format!("{} are", crate::export::html::number::count(refused))
+    }
 }
 
 /// `board`, `plank`, or `part` where there are both.
@@ -101,7 +109,9 @@ fn facts(page: &mut Markup, made: &Fabrication) {
         });
         match material.length_mm {
             // Metres of plank; the figure of the report is in mm.
-            Some(length) => fact(page, "along their axes", "m", |page| page.text(&shown(length.value / 1000.0, 1))),
+            Some(length) => {
+                fact(page, "along their axes", "m", |page| page.text(&shown(length.value / 1000.0, 1)))
+            }
             None => fact(page, "area", "m²", |page| {
                 let area = material.area_m2;
                 figure(page, Some(area), decimals(area, SQUARE_METRES), &at("material/area_m2"));

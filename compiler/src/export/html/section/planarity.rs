@@ -28,9 +28,18 @@ pub(in crate::export::html) fn planarity(
         page.element("div", &[("class", "together")], |page| {
             page.texts("h3", &[], "Convergence");
             page.element("figure", &[], |page| {
-                convergence(page, planarize, panels.required, (176.0, 48.0), &format!("{at}/planarize/history"));
-                let options: Vec<String> =
-                    planarize.options.iter().map(|option| format!("{} {}", option.name, option.value)).collect();
+                convergence(
+                    page,
+                    planarize,
+                    panels.required,
+                    (176.0, 48.0),
+                    &format!("{at}/planarize/history"),
+                );
+                let options: Vec<String> = planarize
+                    .options
+                    .iter()
+                    .map(|option| format!("{} {}", option.name, option.value))
+                    .collect();
                 let caption = format!("Method: {}; {}.", planarize.method, options.join(", "));
                 page.texts("figcaption", &[], &caption);
             });
@@ -74,7 +83,9 @@ fn planarity_maps(page: &mut Markup, maps: &Maps<'_>, required: f64, changed: bo
     let scale = Scale::around(required);
     let colour = |fold: Option<f64>| scale.srgb(fold);
     let words = |fold: Option<f64>| {
-        fold.map_or("not a quad that can be flat".to_owned(), |fold| format!("fold {}°", shown(fold.to_degrees(), 2)))
+        fold.map_or("not a quad that can be flat".to_owned(), |fold| {
+            format!("fold {}°", shown(fold.to_degrees(), 2))
+        })
     };
     let fold = |mesh: fn(&SurfaceShape<'_>, usize) -> QuadMeasure| {
         move |surface: &SurfaceShape<'_>, quad: usize| mesh(surface, quad).larger_fold()
@@ -86,20 +97,36 @@ fn planarity_maps(page: &mut Markup, maps: &Maps<'_>, required: f64, changed: bo
             page.element("div", &[("class", "pair")], |page| {
                 page.element("div", &[], |page| {
                     page.texts("p", &[("class", "over")], "As designed");
-                    maps.draw(page, ("Planarity as designed", (83.0, 70.0)), |surface| surface.designed, &before, (&colour, &words));
+                    maps.draw(
+                        page,
+                        ("Planarity as designed", (83.0, 70.0)),
+                        |surface| surface.designed,
+                        &before,
+                        (&colour, &words),
+                    );
                 });
                 page.element("div", &[], |page| {
                     page.texts("p", &[("class", "over")], "As built");
-                    maps.draw(page, ("Planarity as built", (83.0, 70.0)), |surface| surface.built, &after, (&colour, &words));
+                    maps.draw(
+                        page,
+                        ("Planarity as built", (83.0, 70.0)),
+                        |surface| surface.built,
+                        &after,
+                        (&colour, &words),
+                    );
                 });
             });
         } else {
             maps.draw(page, ("Planarity", (176.0, 95.0)), |surface| surface.built, &after, (&colour, &words));
         }
-        let degrees = |fold: f64| format!("{}°", shown(fold.to_degrees(), if allowed < 0.02 { 2 } else { 1 }));
+        let degrees =
+            |fold: f64| format!("{}°", shown(fold.to_degrees(), if allowed < 0.02 { 2 } else { 1 }));
         let marks = [
             Mark { place: 0.0, text: "0° flat".to_owned() },
-            Mark { place: 0.5, text: format!("{} allowed (planarity {})", degrees(allowed), short(required)) },
+            Mark {
+                place: 0.5,
+                text: format!("{} allowed (planarity {})", degrees(allowed), short(required)),
+            },
             Mark { place: 1.0, text: format!("{} and more", degrees(2.0 * allowed)) },
         ];
         legend(page, "Fold of a quad", |place| scale.srgb(Some(place * 2.0 * allowed.max(1e-6))), &marks);
@@ -143,11 +170,17 @@ fn histograms(page: &mut Markup, report: &PlanarityReport, required: f64, at: &s
             return;
         }
         page.element("div", &[("class", "pair")], |page| {
-            for (place, title) in ["How many quads had which fold", "How many quads have which fold"].into_iter().enumerate() {
+            for (place, title) in
+                ["How many quads had which fold", "How many quads have which fold"].into_iter().enumerate()
+            {
                 page.element("div", &[], |page| plot(page, place, title, 83.0, most));
             }
         });
-        page.texts("figcaption", &[], "Quads by their fold, as designed and as built; both plots have the same axes.");
+        page.texts(
+            "figcaption",
+            &[],
+            "Quads by their fold, as designed and as built; both plots have the same axes.",
+        );
     });
 }
 
@@ -165,10 +198,20 @@ fn moved(page: &mut Markup, report: &PlanarityReport, maps: &Maps<'_>, at: &str)
     page.element("div", &[("class", "together")], |page| {
         page.texts("h3", &[], "How far the surface moved");
         page.element("figure", &[], |page| {
-            maps.draw(page, ("How far the corners of each quad moved", (176.0, 88.0)), |surface| surface.built, &farthest, (&colour, &words));
+            maps.draw(
+                page,
+                ("How far the corners of each quad moved", (176.0, 88.0)),
+                |surface| surface.built,
+                &farthest,
+                (&colour, &words),
+            );
             let marks = [0.0, 0.25, 0.5, 0.75, 1.0].map(|place| Mark {
                 place,
-                text: format!("{}{}", shown(place * largest, if largest < 10.0 { 2 } else { 1 }), if place == 1.0 { " mm" } else { "" }),
+                text: format!(
+                    "{}{}",
+                    shown(place * largest, if largest < 10.0 { 2 } else { 1 }),
+                    if place == 1.0 { " mm" } else { "" }
+                ),
             });
             legend(page, "The corner that moved most", distance, &marks);
             if let Some(distances) = &report.moved.distances_mm {
@@ -178,7 +221,11 @@ fn moved(page: &mut Markup, report: &PlanarityReport, maps: &Maps<'_>, at: &str)
                         title: "How many vertices moved how far",
                         distribution: distances,
                         at: &format!("{at}/moved/distances_mm/counts"),
-                        axis_title: if distances.logarithmic { "vertices that moved, mm, logarithmic" } else { "vertices that moved, mm" },
+                        axis_title: if distances.logarithmic {
+                            "vertices that moved, mm, logarithmic"
+                        } else {
+                            "vertices that moved, mm"
+                        },
                         noun: "vertex",
                         limits: &[],
                         most: None,
@@ -225,7 +272,9 @@ fn summary(page: &mut Markup, report: &PlanarityReport, at: &str) {
                 page.element("tr", &[], |page| {
                     page.texts("td", &[], title);
                     for (when, surface) in [("before", &report.before), ("after", &report.after)] {
-                        page.element("td", &[("class", "n")], |page| count_figure(page, of(surface), &format!("{at}/{when}/{field}")));
+                        page.element("td", &[("class", "n")], |page| {
+                            count_figure(page, of(surface), &format!("{at}/{when}/{field}"))
+                        });
                         page.texts("td", &[], "");
                     }
                 });
@@ -246,13 +295,48 @@ fn extreme(at: &Option<At>) -> (Option<Fixed>, Option<&str>) {
 }
 
 const ROWS: [Row; 8] = [
-    Row { title: "Worst planarity", field: "worst_planarity/value", decimals: 6, of: |surface| extreme(&surface.worst_planarity) },
-    Row { title: "Mean planarity", field: "mean_planarity", decimals: 6, of: |surface| (surface.mean_planarity, None) },
-    Row { title: "Largest bend over the flatter diagonal, °", field: "largest_fold_deg/value", decimals: 3, of: |surface| extreme(&surface.largest_fold_deg) },
-    Row { title: "Mean bend, °", field: "mean_fold_deg", decimals: 3, of: |surface| (surface.mean_fold_deg, None) },
-    Row { title: "Largest diagonal ratio", field: "largest_diagonal_ratio/value", decimals: 5, of: |surface| extreme(&surface.largest_diagonal_ratio) },
-    Row { title: "Shortest edge, mm", field: "shortest_edge_mm/value", decimals: 1, of: |surface| extreme(&surface.shortest_edge_mm) },
-    Row { title: "Longest edge, mm", field: "longest_edge_mm/value", decimals: 1, of: |surface| extreme(&surface.longest_edge_mm) },
+    Row {
+        title: "Worst planarity",
+        field: "worst_planarity/value",
+        decimals: 6,
+        of: |surface| extreme(&surface.worst_planarity),
+    },
+    Row {
+        title: "Mean planarity",
+        field: "mean_planarity",
+        decimals: 6,
+        of: |surface| (surface.mean_planarity, None),
+    },
+    Row {
+        title: "Largest bend over the flatter diagonal, °",
+        field: "largest_fold_deg/value",
+        decimals: 3,
+        of: |surface| extreme(&surface.largest_fold_deg),
+    },
+    Row {
+        title: "Mean bend, °",
+        field: "mean_fold_deg",
+        decimals: 3,
+        of: |surface| (surface.mean_fold_deg, None),
+    },
+    Row {
+        title: "Largest diagonal ratio",
+        field: "largest_diagonal_ratio/value",
+        decimals: 5,
+        of: |surface| extreme(&surface.largest_diagonal_ratio),
+    },
+    Row {
+        title: "Shortest edge, mm",
+        field: "shortest_edge_mm/value",
+        decimals: 1,
+        of: |surface| extreme(&surface.shortest_edge_mm),
+    },
+    Row {
+        title: "Longest edge, mm",
+        field: "longest_edge_mm/value",
+        decimals: 1,
+        of: |surface| extreme(&surface.longest_edge_mm),
+    },
     Row { title: "Area, m²", field: "area_m2", decimals: 3, of: |surface| (Some(surface.area_m2), None) },
 ];
 

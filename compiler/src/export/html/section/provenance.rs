@@ -44,7 +44,10 @@ fn parameters(page: &mut Markup, report: &Report) {
         table(page, "narrow", "/parameters", &columns, |rows| {
             for (place, parameter) in report.parameters.iter().enumerate() {
                 let origin = if parameter.set { "set for this build" } else { "as in the design" };
-                rows.row_of(place, [Cell::Text(&parameter.name), Cell::Text(&parameter.value), Cell::Text(origin)]);
+                rows.row_of(
+                    place,
+                    [Cell::Text(&parameter.name), Cell::Text(&parameter.value), Cell::Text(origin)],
+                );
             }
         });
     });
@@ -68,10 +71,13 @@ fn materials(page: &mut Markup, report: &Report) {
         table(page, "", "", &columns, |rows| {
             for made in &report.fabrications {
                 let material = &made.material;
-                let thickness = material.thickness_mm.map(|thickness| format!(", {} mm", short(thickness.value)));
+                let thickness =
+                    material.thickness_mm.map(|thickness| format!(", {} mm", short(thickness.value)));
                 let name = format!("{}{}", material.name, thickness.unwrap_or_default());
                 let raw = match (material.board_mm, material.bar_mm) {
-                    (Some([length, width]), _) => format!("boards {} × {} mm", short(length.value), short(width.value)),
+                    (Some([length, width]), _) => {
+                        format!("boards {} × {} mm", short(length.value), short(width.value))
+                    }
                     (_, Some(bar)) => format!("bars of {} mm", short(bar.value)),
                     _ => String::new(),
                 };
@@ -86,13 +92,20 @@ fn materials(page: &mut Markup, report: &Report) {
                     Cell::Text(&name),
                     Cell::Text(&parts),
                     Cell::Number(Some(material.area_m2), decimals(material.area_m2, SQUARE_METRES)),
-                    Cell::Number(material.mass_kg, material.mass_kg.map_or(0, |mass| decimals(mass, KILOGRAMS))),
+                    Cell::Number(
+                        material.mass_kg,
+                        material.mass_kg.map_or(0, |mass| decimals(mass, KILOGRAMS)),
+                    ),
                     Cell::Text(&raw),
                     Cell::Text(&raw_count),
                 ]);
             }
         });
-        page.texts("p", &[("class", "small")], "At least so many raw pieces are as much as all parts together, without saw cuts and offcuts.");
+        page.texts(
+            "p",
+            &[("class", "small")],
+            "At least so many raw pieces are as much as all parts together, without saw cuts and offcuts.",
+        );
     });
 }
 
@@ -104,7 +117,9 @@ fn short(value: f64) -> String {
 
 fn figures(page: &mut Markup, report: &Report) {
     let made = |name: &str| {
-        report.fabrications.iter().any(|made| name == made.figure || name.strip_prefix(&made.figure).is_some_and(|rest| rest.starts_with('[')))
+        report.fabrications.iter().any(|made| {
+            name == made.figure || name.strip_prefix(&made.figure).is_some_and(|rest| rest.starts_with('['))
+        })
     };
     let plain: Vec<(usize, _)> =
         report.figures.iter().enumerate().filter(|(_, figure)| !made(&figure.name)).collect();
@@ -113,11 +128,24 @@ fn figures(page: &mut Markup, report: &Report) {
     }
     page.element("div", &[("class", "together")], |page| {
         page.texts("h3", &[], "Figures that nothing is made of");
-        let columns = [Column::text("Figure", "name"), Column::text("Kind", "kind"), Column::text("Level", "level"), Column::number("Elements", "", "elements")];
+        let columns = [
+            Column::text("Figure", "name"),
+            Column::text("Kind", "kind"),
+            Column::text("Level", "level"),
+            Column::number("Elements", "", "elements"),
+        ];
         table(page, "narrow", "/figures", &columns, |rows| {
             for (place, figure) in plain {
                 let elements = crate::export::html::number::shown(figure.elements as f64, 0);
-                rows.row_of(place, [Cell::Text(&figure.name), Cell::Text(&figure.kind), Cell::Text(&figure.level), Cell::Text(&elements)]);
+                rows.row_of(
+                    place,
+                    [
+                        Cell::Text(&figure.name),
+                        Cell::Text(&figure.kind),
+                        Cell::Text(&figure.level),
+                        Cell::Text(&elements),
+                    ],
+                );
             }
         });
     });

@@ -13,10 +13,14 @@ pub(in crate::export::html) fn refused(page: &mut Markup, fabrication: &Fabricat
     let parts = fabrication.parts.iter().enumerate();
     let refused: Vec<_> = parts.filter(|(_, part)| part.status.starts_with("refused")).collect();
     if refused.len() > MOST_ROWS {
-        let text = format!("The first {MOST_ROWS} of {}; cutlist.csv has all.", counted(refused.len(), "refused part"));
+        let text = format!(
+            "The first {MOST_ROWS} of {}; cutlist.csv has all.",
+            counted(refused.len(), "refused part")
+        );
         page.texts("p", &[], &text);
     }
-    let columns = [Column::text("Alias", "alias"), Column::text("Address", "address"), Column::text("Why", "")];
+    let columns =
+        [Column::text("Alias", "alias"), Column::text("Address", "address"), Column::text("Why", "")];
     table(page, "", &format!("{at}/parts"), &columns, |rows| {
         for (place, part) in refused.into_iter().take(MOST_ROWS) {
             let why = part.status.strip_prefix("refused: ").unwrap_or(&part.status);

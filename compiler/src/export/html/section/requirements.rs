@@ -35,9 +35,19 @@ fn one(page: &mut Markup, requirement: &Requirement, noun: &str, at: &str) {
         page.text(if requirement.total == 1 { " measurement" } else { " measurements" });
         if let Some((least, most)) = requirement.least.zip(requirement.most) {
             page.text("; from ");
-            crate::export::html::number::figure(page, Some(least), measured_decimals(requirement, least), &format!("{at}/least"));
+            crate::export::html::number::figure(
+                page,
+                Some(least),
+                measured_decimals(requirement, least),
+                &format!("{at}/least"),
+            );
             page.text(" to ");
-            crate::export::html::number::figure(page, Some(most), measured_decimals(requirement, most), &format!("{at}/most"));
+            crate::export::html::number::figure(
+                page,
+                Some(most),
+                measured_decimals(requirement, most),
+                &format!("{at}/most"),
+            );
             page.text(unit(requirement));
         }
         page.text(".");
@@ -46,9 +56,14 @@ fn one(page: &mut Markup, requirement: &Requirement, noun: &str, at: &str) {
         let mut limits: Vec<LimitLine> =
             requirement.limits.iter().map(|limit| line(limit, requirement)).collect();
         // Which bound holds depends on the board where there are several of one side: below all of them it surely fails.
-        let least = limits.iter().filter(|limit| limit.fails_below).map(|limit| limit.value).fold(f64::INFINITY, f64::min);
+        let least = limits
+            .iter()
+            .filter(|limit| limit.fails_below)
+            .map(|limit| limit.value)
+            .fold(f64::INFINITY, f64::min);
         limits.iter_mut().for_each(|limit| limit.fails_below &= limit.value <= least);
-        let (log, unit) = (if distribution.logarithmic { ", logarithmic" } else { "" }, unit(requirement).trim());
+        let (log, unit) =
+            (if distribution.logarithmic { ", logarithmic" } else { "" }, unit(requirement).trim());
         let axis_title = match unit {
             "" => format!("without unit{log}"),
             "°" => format!("degrees{log}"),
@@ -82,7 +97,9 @@ fn worst(page: &mut Markup, requirement: &Requirement, noun: &str, at: &str) {
     let placed = rows.iter().any(|(_, worst)| !worst.place.is_empty());
     let title = if requirement.holds { "Nearest to a limit" } else { "Worst" };
     let mut columns = vec![Column::text(title, "alias"), Column::text("Address", "address")];
-    columns.extend(placed.then_some(Column::text(if noun == "plank" { "Where" } else { "Where on it" }, "place")));
+    columns.extend(
+        placed.then_some(Column::text(if noun == "plank" { "Where" } else { "Where on it" }, "place")),
+    );
     columns.push(Column::number("Measured", "", "value"));
     table(page, "dense", &format!("{at}/worst"), &columns, |table| {
         for (place, worst) in rows {

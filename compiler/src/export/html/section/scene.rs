@@ -44,15 +44,18 @@ impl Scene {
         match made {
             Made::Planks(planks) if planks.planks.len() <= MOST_SHAPES => {
                 let planks = planks.planks.iter();
-                self.bodies.extend(planks.map(|plank| Body::of_solid(&plank.solid, colour, &plank.label.alias)));
+                self.bodies
+                    .extend(planks.map(|plank| Body::of_solid(&plank.solid, colour, &plank.label.alias)));
             }
             Made::Planks(planks) => {
                 self.lines.extend(planks.curves.iter().map(|curve| curve.points.to_vec()));
-                self.notes.push(format!("Of {}, only the axes are drawn.", counted(planks.planks.len(), "plank")));
+                self.notes
+                    .push(format!("Of {}, only the axes are drawn.", counted(planks.planks.len(), "plank")));
             }
             Made::Panels(panels) if panels.panels.len() <= MOST_SOLIDS => {
                 let panels = panels.panels.iter();
-                self.bodies.extend(panels.map(|panel| Body::of_solid(&panel.solid, colour, &panel.label.alias)));
+                self.bodies
+                    .extend(panels.map(|panel| Body::of_solid(&panel.solid, colour, &panel.label.alias)));
             }
             Made::Panels(panels) => {
                 for surface in &panels.surfaces {

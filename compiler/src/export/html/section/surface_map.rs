@@ -32,7 +32,8 @@ impl<'a> Maps<'a> {
                 maps.notes.push(left_out(&surface.name, surface.labels.len()));
                 continue;
             }
-            maps.notes.extend(coarser(cells).map(|note| format!("{note} It has the colour of its largest value.")));
+            maps.notes
+                .extend(coarser(cells).map(|note| format!("{note} It has the colour of its largest value.")));
             maps.surfaces.push((surface, cells));
         }
         maps
@@ -45,9 +46,10 @@ impl<'a> Maps<'a> {
 
     /// The largest value of a quad.
     pub(super) fn largest(&self, measure: Measure<'_>) -> f64 {
-        let values = self.surfaces.iter().flat_map(|(surface, _)| {
-            (0..surface.labels.len()).filter_map(|quad| measure(surface, quad))
-        });
+        let values = self
+            .surfaces
+            .iter()
+            .flat_map(|(surface, _)| (0..surface.labels.len()).filter_map(|quad| measure(surface, quad)));
         values.fold(0.0, f64::max)
     }
 
@@ -79,14 +81,18 @@ impl<'a> Maps<'a> {
                     // A quad that has no value is the worst of its block.
                     let value = values.reduce(|worst, found| Some(worst?.max(found?))).flatten();
                     let name = cells.members(cell).next().and_then(|quad| surface.labels.get(quad));
-                    let title = name.filter(|_| cells.block == 1).map(|label| format!("{}: {}", label.alias, words(value)));
+                    let title = name
+                        .filter(|_| cells.block == 1)
+                        .map(|label| format!("{}: {}", label.alias, words(value)));
                     Body::of_polygon(&cells.corners(cell, mesh), colour(value), title.as_deref())
                 })
             })
             .collect();
         svg(page, (most.0, frame.size.y + 2.0), title, |page| {
             let count = bodies.len().to_string();
-            page.element("g", &[("class", "map"), ("data-fields", &count)], |page| paint(page, &frame, &bodies));
+            page.element("g", &[("class", "map"), ("data-fields", &count)], |page| {
+                paint(page, &frame, &bodies)
+            });
         });
     }
 }

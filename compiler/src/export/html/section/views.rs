@@ -65,11 +65,7 @@ impl Layout {
         let width = front.x + BETWEEN.x + side.x;
         let left = LEFT + ((ROOM.x - LEFT - width) / 2.0).max(0.0);
         let corner = DVec2::new(left, HEAD);
-        [
-            corner,
-            corner + DVec2::X * (front.x + BETWEEN.x),
-            corner + DVec2::Y * (front.y + BETWEEN.y),
-        ]
+        [corner, corner + DVec2::X * (front.x + BETWEEN.x), corner + DVec2::Y * (front.y + BETWEEN.y)]
     }
 
     fn draw(&self, page: &mut Markup, scene: &Scene, real: [DVec2; 3]) {
@@ -95,4 +91,3 @@ impl Layout {
         scale_bar(page, bar, self.scale);
     }
 }
-
