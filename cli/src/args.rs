@@ -36,6 +36,8 @@ pub enum Command {
     Fmt(Fmt),
     /// Run the tests of designs
     Test(Test),
+    /// Read an output folder again and say what is wrong with it
+    Verify(Verify),
     /// Print the parameters of a design
     Params(Params),
     /// Print the documentation of the standard library
@@ -107,6 +109,14 @@ pub struct Test {
     /// Give a parameter another value; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub settings: Vec<Setting>,
+}
+
+/// `ifs verify`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Verify {
+    /// The output folder of a build
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
 }
 
 /// `ifs params`.
@@ -221,7 +231,7 @@ impl Cli {
             Command::Build(build) => build.settings.as_slice(),
             Command::Test(test) => test.settings.as_slice(),
             Command::Params(params) => params.settings.as_slice(),
-            Command::Fmt(_) | Command::Doc(_) | Command::Explain(_) => &[],
+            Command::Fmt(_) | Command::Verify(_) | Command::Doc(_) | Command::Explain(_) => &[],
         };
         for (index, setting) in settings.iter().enumerate() {
             if settings[..index].iter().any(|earlier| earlier.name == setting.name) {

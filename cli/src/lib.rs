@@ -31,6 +31,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
         Command::Build(build) => commands::build::build(build, cli.message_format),
         Command::Fmt(fmt) => commands::fmt::fmt(fmt, cli.message_format),
         Command::Test(test) => commands::test::test(test, cli.message_format),
+        Command::Verify(verify) => commands::verify::verify(verify, cli.message_format),
         Command::Params(params) => commands::params::params(params, cli.message_format),
         Command::Doc(doc) => commands::doc::doc(doc),
         Command::Explain(explain) => commands::explain::explain(explain),

@@ -19,3 +19,4 @@ pub mod planarize;
 pub mod readback;
 pub mod source;
 pub mod syntax;
+pub mod verify;

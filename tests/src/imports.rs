@@ -18,6 +18,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
     ("fabricate", &["geometry", "planarize", "plan", "diagnostic", "source", "exact"]),
     ("export", &["fabricate", "geometry", "planarize", "plan"]),
     ("readback", &["fabricate"]),
+    ("verify", &["readback", "fabricate"]),
     (
         "analysis",
         &[

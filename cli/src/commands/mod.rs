@@ -9,5 +9,6 @@ pub mod params;
 mod table;
 mod tell;
 pub mod test;
+pub mod verify;
 
 pub use tell::{Told, tell};

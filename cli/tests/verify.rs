@@ -1,0 +1,204 @@
+//! Verifying: every example as it was built is found good; of 100 random corruptions of output folders, half of them
+//! with a manifest that was made true again, at least 95 are found.
+#![allow(clippy::disallowed_methods, reason = "the test starts the program and reads what it writes")]
+#![allow(clippy::unwrap_used, reason = "a test may fail anywhere")]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use ifs_compiler::verify::{Folder, verify};
+use sha2::{Digest, Sha256};
+
+/// A set of outputs in memory.
+#[derive(Clone)]
+struct Memory(BTreeMap<String, Vec<u8>>);
+
+impl Folder for Memory {
+    fn names(&self) -> Vec<String> {
+        self.0.keys().cloned().collect()
+    }
+
+    fn bytes(&self, name: &str, _most: u64) -> Result<Vec<u8>, String> {
+        self.0.get(name).cloned().ok_or_else(|| "it is not there".to_owned())
+    }
+}
+
+/// Numbers that look random (Steele, Lea and Flood, SplitMix64, 2014).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) % limit as u64) as usize
+    }
+}
+
+fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
+}
+
+fn ifs(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ifs")).args(arguments).output().unwrap()
+}
+
+fn built(name: &str) -> PathBuf {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify").join(name);
+    let source = examples().join(format!("{name}.ifs"));
+    let done = ifs(&["build", source.to_str().unwrap(), "-o", out.to_str().unwrap()]);
+    assert!(done.status.success(), "{name}: {}", String::from_utf8_lossy(&done.stderr));
+    out
+}
+
+fn set(folder: &Path) -> Memory {
+    let mut files = BTreeMap::new();
+    for name in fs::read_dir(folder).unwrap().chain(fs::read_dir(folder.join("boards")).unwrap()) {
+        let path = name.unwrap().path();
+        if path.is_file() {
+            let name = path.strip_prefix(folder).unwrap().to_string_lossy().replace('\\', "/");
+            files.insert(name, fs::read(&path).unwrap());
+        }
+    }
+    Memory(files)
+}
+
+#[test]
+fn every_example_as_built_is_good() {
+    for entry in fs::read_dir(examples()).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "ifs") {
+            let out = built(path.file_stem().unwrap().to_str().unwrap());
+            let done = ifs(&["verify", out.to_str().unwrap(), "--message-format", "short"]);
+            let said = String::from_utf8_lossy(&done.stdout).into_owned();
+            assert_eq!((done.status.code(), said.as_str()), (Some(0), ""), "{}", path.display());
+        }
+    }
+}
+
+#[test]
+fn at_least_95_of_100_random_corruptions_are_found() {
+    let sets = [set(&built("wall")), set(&built("vault"))];
+    let mut random = Random(2026);
+    let (mut found, mut missed) = (0, Vec::new());
+    for number in 0..100 {
+        let mut corrupted = sets[number % 2].clone();
+        let rehashed = number % 4 < 2;
+        let what = corrupt(&mut corrupted, rehashed, &mut random);
+        match verify(&corrupted) {
+            Ok(verdict) if verdict.findings.is_empty() => {
+                missed.push(format!("{what}, re-hashed: {rehashed}"))
+            }
+            _ => found += 1,
+        }
+    }
+    println!("{found} of 100 corruptions found; missed: {missed:#?}");
+    assert!(found >= 95, "{found} of 100 found; missed: {missed:#?}");
+}
+
+/// Does one damage that changes something, and says which.
+fn corrupt(set: &mut Memory, rehashed: bool, random: &mut Random) -> String {
+    let before = set.0.clone();
+    loop {
+        let names: Vec<String> =
+            set.0.keys().filter(|name| !rehashed || *name != "manifest.json").cloned().collect();
+        let name = names[random.below(names.len())].clone();
+        let bytes = set.0[&name].clone();
+        let what = match random.below(6) {
+            0 => {
+                let (at, bit) = (random.below(bytes.len()), random.below(8));
+                set.0.get_mut(&name).unwrap()[at] ^= 1 << bit;
+                format!("bit {bit} of byte {at} of {name}")
+            }
+            1 => {
+                let length = random.below(bytes.len());
+                set.0.get_mut(&name).unwrap().truncate(length);
+                format!("{name} cut off after {length} bytes")
+            }
+            2 => swap_lines(set, &name, random),
+            3 => edit_number(set, &name, random),
+            4 => {
+                let other = names[random.below(names.len())].clone();
+                let theirs = set.0[&other].clone();
+                set.0.insert(name.clone(), theirs);
+                set.0.insert(other.clone(), bytes);
+                format!("{name} and {other} exchanged")
+            }
+            _ => {
+                set.0.remove(&name);
+                format!("{name} deleted")
+            }
+        };
+        if set.0 != before {
+            if rehashed {
+                rehash(set);
+            }
+            return what;
+        }
+    }
+}
+
+fn swap_lines(set: &mut Memory, name: &str, random: &mut Random) -> String {
+    let bytes = set.0[name].clone();
+    let mut lines: Vec<&[u8]> = bytes.split(|byte| *byte == b'\n').collect();
+    let (one, other) = (random.below(lines.len()), random.below(lines.len()));
+    lines.swap(one, other);
+    set.0.insert(name.to_owned(), lines.join(&b'\n'));
+    format!("lines {one} and {other} of {name} exchanged")
+}
+
+/// Another digit in the place of one.
+fn edit_number(set: &mut Memory, name: &str, random: &mut Random) -> String {
+    let bytes = set.0.get_mut(name).unwrap();
+    let digits: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
+    let at = digits[random.below(digits.len())];
+    bytes[at] = b'0' + (bytes[at] - b'0' + 1 + random.below(9) as u8) % 10;
+    format!("a digit at byte {at} of {name}")
+}
+
+/// Makes the manifest true again by hand.
+fn rehash(set: &mut Memory) {
+    let mut manifest: serde_json::Value = serde_json::from_slice(&set.0["manifest.json"]).unwrap();
+    let files = manifest["files"].as_array_mut().unwrap();
+    files.retain(|file| set.0.contains_key(file["path"].as_str().unwrap()));
+    for file in files {
+        let bytes = &set.0[file["path"].as_str().unwrap()];
+        let hash: String = Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        file["bytes"] = bytes.len().into();
+        file["sha256"] = hash.into();
+    }
+    set.0.insert("manifest.json".to_owned(), serde_json::to_vec_pretty(&manifest).unwrap());
+}
+
+#[test]
+fn no_manifest_and_ways_out_are_told() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify-odd");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let code = |folder: &Path| ifs(&["verify", folder.to_str().unwrap()]).status.code();
+    assert_eq!(code(&folder.join("none")), Some(3));
+    assert_eq!(code(&folder), Some(3));
+    assert_eq!(ifs(&["verify"]).status.code(), Some(2));
+    let listed = |path: &str| {
+        format!(
+            "{{\"schema\":1,\"program\":\"ifs\",\"version\":\"0\",\"sources\":[],\"parameters\":{{}},\"files\":[{{\
+            \"path\":\"{path}\",\"bytes\":18446744073709551615,\"sha256\":\"\",\"kind\":\"list\"}}]}}"
+        )
+    };
+    for (manifest, part) in [
+        ("\u{1}\u{2}".to_owned(), "is not the list"),
+        ("[".repeat(100_000), "is not the list"),
+        (listed("../outside"), "leads out"),
+        (listed("/etc/passwd"), "leads out"),
+        (listed("cutlist.csv"), "cannot be read, found No such file"),
+    ] {
+        fs::write(folder.join("manifest.json"), manifest).unwrap();
+        let done = ifs(&["verify", folder.to_str().unwrap(), "--message-format", "short"]);
+        let said = String::from_utf8_lossy(&done.stdout).into_owned();
+        assert_eq!(done.status.code(), Some(1), "{said}");
+        assert!(said.contains(part) || part.starts_with("cannot") && said.contains("No such file"), "{said}");
+    }
+}

@@ -1,0 +1,163 @@
+//! Reads a set of outputs again and judges it: whether every file is the one that the manifest lists, and whether what
+//! the files say agrees — with `report.json`, with each other, and with what a format allows. Shares no code with
+//! `export` or `outputs`: every format has a reader of its own here; programs are read by `readback`. Opens no file:
+//! bytes come through [`Folder`]. Findings are plain data; nobody is told here.
+
+mod btlx;
+mod csv;
+mod dxf;
+mod finding;
+mod form;
+mod glb;
+mod html;
+mod labels;
+mod lists;
+mod manifest;
+mod nc;
+mod report;
+mod vote;
+mod xml;
+
+pub use finding::Finding;
+pub use manifest::{KINDS, Listed, Manifest, NotAManifest};
+
+use finding::Findings;
+use report::Report;
+
+/// What is to be verified: names relative to the folder, with `/`, and their bytes.
+pub trait Folder {
+    /// Every file in the folder and below, `manifest.json` too, in order.
+    fn names(&self) -> Vec<String>;
+
+    /// The bytes of a file, at most `most` of them and one more.
+    ///
+    /// # Errors
+    /// Why it cannot be read, for people: it is not there, is a link, is no file.
+    fn bytes(&self, name: &str, most: u64) -> Result<Vec<u8>, String>;
+}
+
+/// What was found out about a set.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Verdict {
+    /// What is wrong, in the order of the files; empty where nothing is.
+    pub findings: Vec<Finding>,
+    /// How many files the manifest lists.
+    pub files: usize,
+    /// How many of them were read as what they are, beyond their hash.
+    pub read: usize,
+    /// Files of kinds that are known by their hash alone.
+    pub by_hash: Vec<String>,
+    /// Files that the manifest does not list: not outputs.
+    pub foreign: Vec<String>,
+}
+
+/// Verifies a set.
+///
+/// # Errors
+/// Its `manifest.json` is missing, is none of ours, or leads out of the folder: nothing was looked at then.
+pub fn verify(folder: &dyn Folder) -> Result<Verdict, NotAManifest> {
+    let manifest = Manifest::read(folder)?;
+    let mut findings = Findings::default();
+    let foreign = manifest.foreign(folder, &mut findings);
+    let sound = manifest.check_hashes(folder, &mut findings);
+    let set = Set { folder, manifest: &manifest };
+    let mut read = 0;
+    let mut by_hash = Vec::new();
+    let report = set.bytes("report.json").and_then(|bytes| {
+        read += 1;
+        report::read(&bytes, &manifest, &mut findings)
+    });
+    let mut boards = Boards { report: report.as_ref(), dxf: Vec::new(), nc: Vec::new() };
+    for file in manifest.files.iter().filter(|file| sound.contains(&file.path) && file.path != "report.json")
+    {
+        let Some(bytes) = set.bytes(&file.path) else { continue };
+        if judge(file, &bytes, &mut boards, &manifest, &mut findings) {
+            read += 1;
+        } else {
+            by_hash.push(file.path.clone());
+        }
+    }
+    boards.together(&mut findings);
+    if let Some(report) = &report {
+        report.check_files(&manifest, &mut findings);
+        labels::check(&set, report, &mut findings);
+        glb::with_frames(&set, report, &mut findings);
+    }
+    Ok(Verdict { findings: findings.sorted(), files: manifest.files.len(), read, by_hash, foreign })
+}
+
+/// The listed files.
+struct Set<'a> {
+    folder: &'a dyn Folder,
+    manifest: &'a Manifest,
+}
+
+impl Set<'_> {
+    /// The bytes of a listed file; none where it is not listed or cannot be read, which is found elsewhere.
+    fn bytes(&self, name: &str) -> Option<Vec<u8>> {
+        let listed = self.manifest.files.iter().find(|file| file.path == name)?;
+        self.folder.bytes(name, listed.bytes).ok()
+    }
+}
+
+/// What of single boards is compared with each other once all are read.
+struct Boards<'a> {
+    report: Option<&'a Report>,
+    dxf: Vec<dxf::Drawing>,
+    nc: Vec<nc::Program>,
+}
+
+impl Boards<'_> {
+    fn together(&self, findings: &mut Findings) {
+        dxf::check_together(&self.dxf, findings);
+        nc::check_together(&self.nc, &self.dxf, self.report, findings);
+    }
+}
+
+/// Reads one file as what it is; whether it is of a kind that can be.
+fn judge(
+    file: &Listed,
+    bytes: &[u8],
+    boards: &mut Boards<'_>,
+    manifest: &Manifest,
+    findings: &mut Findings,
+) -> bool {
+    let path = file.path.as_str();
+    let known = |text: &mut Findings| form::text(path, bytes, text);
+    match (path, path.rsplit_once('.').map_or("", |(_, end)| end)) {
+        ("diagnostics.json", _) => report::diagnostics(path, bytes, manifest, findings),
+        ("cutlist.csv" | "assembly.csv" | "planarity.csv", _) => {
+            if let Some(text) = known(findings) {
+                lists::check(path, text, boards.report, manifest, findings);
+            }
+        }
+        ("report.html", _) => {
+            if let Some(text) = known(findings) {
+                html::check(path, text, boards.report, findings);
+            }
+        }
+        ("model.glb", _) => glb::check(path, bytes, boards.report, findings),
+        ("model.btlx", _) => {
+            if let Some(text) = known(findings) {
+                btlx::check(path, text, boards.report, manifest, findings);
+            }
+        }
+        (_, "svg") if path.starts_with("labels") => {
+            if let Some(text) = known(findings) {
+                labels::form(path, text, findings);
+            }
+        }
+        (_, "dxf") if path.starts_with("boards/") => {
+            if let Some(text) = known(findings) {
+                boards.dxf.extend(dxf::read(file, text, boards.report, findings));
+            }
+        }
+        (_, "nc") if path.starts_with("boards/") => {
+            if let Some(text) = known(findings) {
+                boards.nc.extend(nc::read(file, text, findings));
+            }
+        }
+        _ => return false,
+    }
+    true
+}
