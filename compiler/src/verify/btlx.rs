@@ -214,8 +214,8 @@ fn plank(path: &str, piece: &Piece, part: &Part, findings: &mut Findings) {
     let orientations: Vec<&str> = piece.texts("Orientation").map(str::trim).collect();
     findings.same(path, &format!("ends of {address}"), "start end", &orientations.join(" "));
     let last = piece.texts("StartX").nth(1).and_then(|text| text.trim().parse().ok()).unwrap_or(f64::NAN);
-    if !has_bevels {
-        findings.near(path, &format!("place of the end of {address}"), piece.number("Length"), last, 1e-6);
+    if !(0.0..=piece.number("Length") + 1e-6).contains(&last) {
+        findings.add(path, format!("place of the end of {address}"), "on the plank", last);
     }
 }
 

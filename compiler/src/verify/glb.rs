@@ -310,14 +310,15 @@ fn over(part: &Part, points: &[DVec3], [origin, x, y]: &[DVec3; 3], findings: &m
     corners.extend(pairs("bottom_outline_mm"));
     let thickness = part.number("thickness_mm").unwrap_or(f64::NAN);
     // Bevelled sides put the corners of the faces beside those of the outlines.
-    let upright = part.is_plank || part.text("edge_cut") == "square";
-    let tolerance = if upright { 0.05 } else { 2.0 * thickness };
+    if !part.is_plank && part.text("edge_cut") != "square" {
+        return;
+    }
     for point in points {
         let off = *point - *origin;
         let flat = DVec2::new(off.dot(*x), off.dot(*y));
         let nearest = corners.iter().map(|corner| corner.distance(flat)).fold(f64::INFINITY, f64::min);
         let what = format!("a corner of {} off the frame of assembly.csv, mm", part.address);
-        findings.near(PATH, &what, 0.0, nearest, tolerance);
+        findings.near(PATH, &what, 0.0, nearest, 0.05);
         let height = off.dot(x.cross(*y)).abs();
         if height.partial_cmp(&(thickness + 0.05)).is_none_or(std::cmp::Ordering::is_gt) {
             findings.add(PATH, what, format!("within {thickness}"), height);

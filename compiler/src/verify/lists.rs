@@ -215,11 +215,12 @@ fn stands(path: &str, address: &str, [origin, x, y]: [DVec3; 3], report: &Report
     let placed = origin + x * middle.x + y * middle.y;
     let off = placed - DVec3::new(centre[0], centre[1], centre[2]);
     let thickness = part.number("thickness_mm").unwrap_or(0.0);
-    for (what, found, tolerance) in [
-        ("along x", off.dot(x), 5.0),
-        ("along y", off.dot(y), 5.0),
-        ("across", off.dot(x.cross(y)), 2.0 * thickness + 5.0),
-    ] {
+    // The middle of a design's quad; the board's is beside it by thickness, bevels and a fold.
+    let longest = shape.iter().map(|at| at.abs().max_element()).fold(0.0, f64::max);
+    let room = 2.0 * thickness + 0.1 * longest + 5.0;
+    for (what, found, tolerance) in
+        [("along x", off.dot(x), room), ("along y", off.dot(y), room), ("across", off.dot(x.cross(y)), room)]
+    {
         let what = format!("middle of {address} off centre_mm of report.json {what}, mm");
         findings.near(path, &what, 0.0, found, tolerance);
     }

@@ -44,7 +44,7 @@ pub(super) fn read(file: &Listed, text: &str, _findings: &mut Findings) -> Optio
         tools: Vec::new(),
         steady: Vec::new(),
     };
-    let mut in_header = true;
+    let (mut in_header, mut feed) = (true, None);
     for line in text.lines() {
         let comment = line.starts_with('(');
         in_header &= comment;
@@ -60,6 +60,11 @@ pub(super) fn read(file: &Listed, text: &str, _findings: &mut Findings) -> Optio
             program.tools.push(*tool as u32);
         }
         let tool = program.tools.last().copied().unwrap_or(0);
+        // A feed holds until another is said, through changes of tools too.
+        feed = words.iter().find(|(letter, _)| *letter == b'F').map(|word| word.1).or(feed);
+        if let Some(feed) = feed.filter(|_| ["G1 ", "G2 ", "G3 "].iter().any(|code| line.starts_with(code))) {
+            program.words.entry((b'F', tool)).or_default().insert((feed * 1000.0).round() as i64);
+        }
         for &(letter, value) in words.iter().filter(|(letter, _)| b"FSPZ".contains(letter)) {
             program.words.entry((letter, tool)).or_default().insert((value * 1000.0).round() as i64);
         }
