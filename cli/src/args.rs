@@ -158,8 +158,10 @@ pub enum Emit {
     Glb,
     /// Machine programs, boards/*.nc
     Nc,
-    /// Lists: cutlist.csv, planarity.csv
+    /// Lists: cutlist.csv, nest.csv, stock.csv, planarity.csv
     Csv,
+    /// Pictures of nested sheets, sheets/*.svg
+    Svg,
     /// The report for programs, report.json
     Json,
     /// The plan, printed on the standard output

@@ -8,6 +8,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
     ("exact", &[]),
     ("source", &[]),
     ("geometry", &[]),
+    ("nest", &[]),
     ("diagnostic", &["source"]),
     ("syntax", &["source", "diagnostic", "exact"]),
     ("ifs", &["exact"]),
@@ -15,7 +16,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
     ("plan", &["hir", "ifs", "geometry", "exact", "diagnostic", "source"]),
     ("planarize", &["geometry"]),
     ("fabricate", &["geometry", "planarize", "plan", "diagnostic", "source", "exact"]),
-    ("export", &["fabricate", "geometry", "planarize", "plan"]),
+    ("export", &["fabricate", "geometry", "nest", "planarize", "plan"]),
     ("readback", &["fabricate"]),
     (
         "analysis",
@@ -30,6 +31,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
             "plan",
             "planarize",
             "fabricate",
+            "nest",
         ],
     ),
     (
@@ -41,6 +43,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
             "fabricate",
             "geometry",
             "hir",
+            "nest",
             "plan",
             "planarize",
             "readback",

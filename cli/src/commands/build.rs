@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use ifs_compiler::analysis::Analysis;
+use ifs_compiler::outputs::nests::Nests;
 use ifs_compiler::outputs::{Output, Selection, outputs, parameter_texts, project_sources};
 
 use super::{table, tell};
@@ -40,7 +41,7 @@ pub fn build(build: &Build, format: MessageFormat) -> Exit {
     }
     let out = build.out.clone().unwrap_or_else(|| project.out(&analysis.design_name()));
     match write(&out, &analysis, &made.files) {
-        Ok(committed) => finish(&analysis, &committed, &out, format),
+        Ok(committed) => finish(&analysis, &made.nests, &committed, &out, format),
         Err(error) => {
             output::message(&format!("error: {error}\n"));
             Exit::InputOutput
@@ -54,7 +55,7 @@ fn selection(emit: &[Emit]) -> Selection {
         return Selection::ALL;
     }
     let wants = |which: Emit| emit.contains(&which);
-    Selection { glb: wants(Emit::Glb), nc: wants(Emit::Nc), csv: wants(Emit::Csv), json: wants(Emit::Json) }
+    Selection { glb: wants(Emit::Glb), nc: wants(Emit::Nc), csv: wants(Emit::Csv), svg: wants(Emit::Svg), json: wants(Emit::Json) }
 }
 
 fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed, FolderError> {
@@ -69,7 +70,7 @@ fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed,
     staging.commit(&Provenance { sources, parameters })
 }
 
-fn finish(analysis: &Analysis, committed: &Committed, out: &Path, format: MessageFormat) -> Exit {
+fn finish(analysis: &Analysis, nests: &Nests, committed: &Committed, out: &Path, format: MessageFormat) -> Exit {
     for name in &committed.foreign {
         output::message(&format!("note: kept {name}, which no build wrote\n"));
     }
@@ -80,5 +81,5 @@ fn finish(analysis: &Analysis, committed: &Committed, out: &Path, format: Messag
         return Exit::Good;
     }
     let files = committed.manifest.files.len() + 1;
-    output::data(&table::table(analysis, files, out)).err().unwrap_or(Exit::Good)
+    output::data(&table::table(analysis, nests, files, out)).err().unwrap_or(Exit::Good)
 }

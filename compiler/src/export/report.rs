@@ -1,6 +1,7 @@
 //! `report.json`: what a build made of a design, for programs. Lengths mm, angles degrees, areas m², masses kg; no
 //! time, no path outside the output folder, no user.
 
+mod nest;
 mod requirement;
 
 use serde::Serialize;
@@ -10,6 +11,7 @@ use super::part::Part;
 use crate::geometry::summary::Extreme;
 use crate::geometry::{MeshSummary, QuadMesh};
 
+pub use nest::{BarReport, BarsReport, SheetReport, SheetsReport, UnplacedReport};
 pub use requirement::{Quantity, Requirement, WorstReport};
 
 /// The version of the schema. It rises when a field goes or changes its meaning.
@@ -30,6 +32,10 @@ pub struct Report {
     pub figures: Vec<FigureReport>,
     /// What was made of them.
     pub fabrications: Vec<Fabrication>,
+    /// The sheets that boards are nested on.
+    pub sheets: Vec<SheetsReport>,
+    /// The bars that planks are cut out of.
+    pub bars: Vec<BarsReport>,
 }
 
 impl Report {
@@ -43,6 +49,8 @@ impl Report {
             parameters: Vec::new(),
             figures: Vec::new(),
             fabrications: Vec::new(),
+            sheets: Vec::new(),
+            bars: Vec::new(),
         }
     }
 

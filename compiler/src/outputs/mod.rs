@@ -2,16 +2,19 @@
 
 mod model;
 pub mod names;
+pub mod nests;
 mod parts;
 mod programs;
 mod report;
+mod sheets;
 
 use crate::analysis::{Analysis, Elements};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::export::planarity_csv::{Surface, planarity_csv};
-use crate::export::{cut_list, glb::GlbError};
+use crate::export::{cut_list, glb::GlbError, part::Part};
 use crate::source::Span;
 use model::OwnedModel;
+use nests::Nests;
 use sha2::{Digest, Sha256};
 use std::io;
 
@@ -22,19 +25,21 @@ pub struct Selection {
     pub glb: bool,
     /// `boards/*.nc`
     pub nc: bool,
-    /// `cutlist.csv`, `planarity.csv`
+    /// `cutlist.csv`, `nest.csv`, `stock.csv`, `planarity.csv`
     pub csv: bool,
+    /// `sheets/*.svg`
+    pub svg: bool,
     /// `report.json`
     pub json: bool,
 }
 
 impl Selection {
     /// Everything.
-    pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, json: true };
+    pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, svg: true, json: true };
 
     /// Whether nothing is wanted.
     pub fn is_empty(self) -> bool {
-        !(self.glb || self.nc || self.csv || self.json)
+        !(self.glb || self.nc || self.csv || self.svg || self.json)
     }
 }
 
@@ -43,7 +48,7 @@ impl Selection {
 pub struct Output {
     /// Its place in the output folder, with `/`.
     pub path: String,
-    /// What it is, for the manifest: `model`, `report`, `list`, `program`.
+    /// What it is, for the manifest: `model`, `report`, `list`, `program`, `drawing`.
     pub kind: &'static str,
     /// The address of the board it is for.
     pub address: Option<String>,
@@ -82,8 +87,16 @@ impl Output {
 pub struct Outputs {
     /// The files, in order; empty where there are diagnostics.
     pub files: Vec<Output>,
+    /// What is nested, and where.
+    pub nests: Nests,
     /// Boards that cannot be made by the machine they are for.
     pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Outputs {
+    fn failed(diagnostics: Vec<Diagnostic>) -> Self {
+        Outputs { files: Vec::new(), nests: Nests::default(), diagnostics }
+    }
 }
 
 /// Makes the outputs of a design without errors.
@@ -93,7 +106,7 @@ pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
         let message = "there is nothing to build: the design has no figures";
         let diagnostic = Diagnostic::new(Code::E0807, Span::new(analysis.root, 0, 0), message);
         let diagnostic = diagnostic.hint("declare one: `figure line = … on (…) at level 3`");
-        return Outputs { files, diagnostics: vec![diagnostic] };
+        return Outputs::failed(vec![diagnostic]);
     }
     if selection.glb {
         let model = Box::new(OwnedModel::of(analysis));
@@ -107,25 +120,44 @@ pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
     if selection.nc {
         let (programs, diagnostics) = programs::programs(analysis);
         if !diagnostics.is_empty() {
-            return Outputs { files: Vec::new(), diagnostics };
+            return Outputs::failed(diagnostics);
         }
         files.extend(programs);
     }
-    let parts = parts::parts(analysis, selection.nc);
-    if selection.csv && !analysis.fabrications.is_empty() {
-        let all: Vec<_> = parts.iter().flatten().cloned().collect();
-        files.push(Output::new("cutlist.csv", "list", cut_list::cut_list(&all)));
-        let surfaces = surfaces(analysis);
-        if !surfaces.is_empty() {
-            files.push(Output::new("planarity.csv", "list", planarity_csv(&surfaces)));
-        }
+    let nests = match nests::nests(analysis) {
+        Ok(nests) => nests,
+        Err(diagnostics) => return Outputs::failed(diagnostics),
+    };
+    let mut parts = parts::parts(analysis, selection.nc);
+    sheets::mark(&nests, &mut parts);
+    let mut sheet_files = Vec::new();
+    if selection.svg {
+        sheet_files.push("svg");
+        let pictures = sheets::pictures(&nests).into_iter();
+        files.extend(pictures.map(|(path, text)| Output::new(&path, "drawing", text)));
+    }
+    if selection.csv {
+        files.extend(lists(analysis, &nests, &parts));
     }
     if selection.json
-        && let Ok(text) = report::report(analysis, parts).to_json()
+        && let Ok(text) = report::report(analysis, parts, &nests, &sheet_files).to_json()
     {
         files.push(Output::new("report.json", "report", text));
     }
-    Outputs { files, diagnostics: Vec::new() }
+    Outputs { files, nests, diagnostics: Vec::new() }
+}
+
+/// The lists for people and spreadsheets.
+fn lists(analysis: &Analysis, nests: &Nests, parts: &[Vec<Part>]) -> Vec<Output> {
+    if analysis.fabrications.is_empty() {
+        return Vec::new();
+    }
+    let all: Vec<Part> = parts.iter().flatten().cloned().collect();
+    let mut lists = vec![("cutlist.csv", Some(cut_list::cut_list(&all)))];
+    lists.extend([("nest.csv", sheets::nest_list(nests)), ("stock.csv", sheets::stock_list(nests))]);
+    let surfaces = surfaces(analysis);
+    lists.push(("planarity.csv", (!surfaces.is_empty()).then(|| planarity_csv(&surfaces))));
+    lists.into_iter().filter_map(|(path, text)| Some(Output::new(path, "list", text?))).collect()
 }
 
 fn surfaces(analysis: &Analysis) -> Vec<Surface<'_>> {

@@ -1,6 +1,8 @@
 //! The report of a design: its parameters, figures and fabrications, measured.
 
+use super::nests::Nests;
 use super::parameter_texts;
+use super::sheets::{bars_report, sheets_report};
 use crate::analysis::{Analysis, Elements, Fabrication, PanelsMade, RequirementResult};
 use crate::export::number::Fixed;
 use crate::export::part::Part;
@@ -15,8 +17,8 @@ use crate::plan::extent::Extent;
 use crate::plan::{Depth, Each, Shape};
 use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
 
-/// The report with the parts of each block.
-pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
+/// The report with the parts of each block; `sheet_files` are the extensions of the files made for a sheet.
+pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>, nests: &Nests, sheet_files: &[&str]) -> Report {
     let mut out = Report::new(&analysis.design_name());
     out.parameters = parameter_texts(analysis)
         .into_iter()
@@ -49,6 +51,8 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
     }
     let made = analysis.fabrications.iter().zip(parts);
     out.fabrications = made.map(|(made, parts)| fabrication(analysis, made, parts)).collect();
+    out.sheets = nests.sheets.iter().map(|nest| sheets_report(nest, sheet_files)).collect();
+    out.bars = nests.bars.iter().map(bars_report).collect();
     out
 }
 

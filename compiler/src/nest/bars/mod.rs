@@ -106,5 +106,11 @@ pub fn saw(planks: &[Plank], stock: &Stock) -> Sawn {
     fill::saw(planks, stock)
 }
 
+/// Why a plank cannot be cut out of a bar; none where it can.
+#[must_use]
+pub fn too_long(plank: &Plank, stock: &Stock) -> Option<TooLong> {
+    fill::too_long(0, plank, stock)
+}
+
 #[cfg(test)]
 mod tests;
