@@ -9,6 +9,7 @@ pub mod exact;
 pub mod export;
 pub mod fabricate;
 pub mod geometry;
+pub mod gltf;
 pub mod hir;
 pub mod ifs;
 pub mod nest;

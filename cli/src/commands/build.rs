@@ -65,7 +65,7 @@ fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed,
         staging.write_with(&file.path, file.kind, file.address.as_deref(), |out| file.write(out))?;
     }
     let sources = project_sources(analysis);
-    let sources = sources.iter().map(|(path, text)| SourceRecord::of(path, text.as_bytes())).collect();
+    let sources = sources.iter().map(|(path, bytes)| SourceRecord::of(path, bytes)).collect();
     let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
     staging.commit(&Provenance { sources, parameters })
 }

@@ -3,6 +3,7 @@
 
 pub mod csv;
 pub mod cut_list;
+pub mod dxf;
 pub mod glb;
 pub mod nc;
 pub mod nest_csv;

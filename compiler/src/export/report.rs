@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::number::Fixed;
 use super::part::Part;
+use crate::fabricate::panel::{Corner, RELIEF_TOLERANCE};
 use crate::geometry::summary::Extreme;
 use crate::geometry::{MeshSummary, QuadMesh};
 
@@ -123,6 +124,8 @@ pub struct Fabrication {
     pub counts: Counts,
     /// For panels.
     pub planarity: Option<PlanarityReport>,
+    /// For panels: the corners where boards have to be cut back.
+    pub relief: Option<ReliefReport>,
     /// What the block requires, in the order it is written.
     pub requirements: Vec<Requirement>,
     /// Boards and planks, then refused ones.
@@ -134,6 +137,50 @@ impl Fabrication {
     #[must_use]
     pub fn holds(&self) -> bool {
         self.counts.refused == 0 && self.requirements.iter().all(|requirement| requirement.holds)
+    }
+}
+
+/// The corners of boards that reach past their neighbours, where four or more meet and the edges are bevelled.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ReliefReport {
+    /// Corners that reach no further than this need no relief.
+    pub tolerance_mm: Fixed,
+    /// How many corners need it.
+    pub corners: usize,
+    /// The worst of them, the worst first.
+    pub worst: Vec<CornerReport>,
+}
+
+/// A corner where boards meet.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CornerReport {
+    /// The addresses of the boards.
+    pub boards: Vec<String>,
+    /// The most that one of them has to be cut back.
+    pub relief_mm: Fixed,
+}
+
+/// How many corners a [`ReliefReport`] names.
+const NAMED_CORNERS: usize = 20;
+
+impl ReliefReport {
+    /// Of all corners that need relief.
+    #[must_use]
+    pub fn of(corners: &[Corner]) -> Self {
+        let mut worst: Vec<&Corner> = corners.iter().collect();
+        // Equal ones stay in the order of the vertices.
+        worst.sort_by(|a, b| b.relief.total_cmp(&a.relief));
+        let named = worst.into_iter().take(NAMED_CORNERS);
+        Self {
+            tolerance_mm: Fixed::mm(RELIEF_TOLERANCE),
+            corners: corners.len(),
+            worst: named
+                .map(|corner| CornerReport {
+                    boards: corner.boards.clone(),
+                    relief_mm: Fixed::mm(corner.relief),
+                })
+                .collect(),
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::export::number::Fixed;
 use crate::export::part::Part;
 use crate::export::report::{
     self, Counts, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport, OptionReport,
-    Parameter, PlanarityReport, PlanarizeReport, Quantity, Report, Requirement, SurfaceSummary,
+    Parameter, PlanarityReport, PlanarizeReport, Quantity, ReliefReport, Report, Requirement, SurfaceSummary,
 };
 use crate::fabricate::label::Label;
 use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
@@ -100,6 +100,10 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
         },
         counts: Counts { elements: counts.0 + counts.1, made: counts.0, refused: counts.1 },
         planarity,
+        relief: match &made.elements {
+            Elements::Panels(panels) => Some(ReliefReport::of(&panels.corners)),
+            Elements::Planks(_) => None,
+        },
         requirements: made
             .requirements
             .iter()
@@ -112,12 +116,22 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
 fn requirement_report(analysis: &Analysis, requirement: &RequirementResult) -> Requirement {
     let text =
         analysis.sources.get(requirement.span.file).map_or("", |source| source.slice(requirement.span));
-    let quantity = match requirement.measure {
+    Requirement::of(text, requirement.measure.words(), quantity(requirement.measure), &requirement.result)
+}
+
+/// The quantity that a measure is of.
+fn quantity(measure: Measure) -> Quantity {
+    match measure {
         Measure::Planarity => Quantity::Planarity,
-        Measure::Mitre => Quantity::Angle,
-        Measure::Edge | Measure::Length | Measure::Overlap | Measure::BendRadius => Quantity::Length,
-    };
-    Requirement::of(text, quantity, &requirement.result)
+        Measure::DiagonalRatio => Quantity::Ratio,
+        Measure::Fold | Measure::Angle | Measure::Mitre | Measure::Bevel => Quantity::Angle,
+        Measure::Edge | Measure::Length | Measure::Width | Measure::BendRadius | Measure::Overlap => {
+            Quantity::Length
+        }
+        Measure::Area => Quantity::Area,
+        Measure::Mass => Quantity::Mass,
+        Measure::Count => Quantity::Count,
+    }
 }
 
 /// All surfaces of a block together; planarizing is told for each of them in turn.

@@ -10,6 +10,7 @@ mod examples;
 mod figures;
 mod fmt;
 mod format;
+mod imported;
 mod index;
 mod killing;
 mod library;

@@ -10,9 +10,11 @@ use crate::fabricate::checks::{CheckResult, Measured};
 pub struct Requirement {
     /// As the design writes it.
     pub text: String,
+    /// What is measured: `edge`, `bend radius`.
+    pub measure: &'static str,
     /// Whether everything measured is within it.
     pub holds: bool,
-    /// The unit of the figures below: `mm`, `deg` or none for a cosine.
+    /// The unit of the figures below: `mm`, `m2`, `kg`, `deg`, or none for plain numbers.
     pub unit: Option<&'static str>,
     /// How many measurements are outside it.
     pub failing: usize,
@@ -44,20 +46,32 @@ pub struct WorstReport {
 pub enum Quantity {
     /// mm
     Length,
+    /// Measured in mm², written in m².
+    Area,
+    /// kg
+    Mass,
     /// Measured in rad, written in degrees.
     Angle,
     /// A planarity, without a unit.
     Planarity,
+    /// A diagonal ratio, without a unit.
+    Ratio,
+    /// A whole number.
+    Count,
 }
 
 impl Requirement {
-    /// The result of a check of the requirement that the design writes as `text`.
+    /// The result of a check of `measure`, asked for by what the design writes as `text`.
     #[must_use]
-    pub fn of(text: &str, quantity: Quantity, result: &CheckResult) -> Self {
+    pub fn of(text: &str, measure: &'static str, quantity: Quantity, result: &CheckResult) -> Self {
         let (unit, number): (_, fn(f64) -> Fixed) = match quantity {
             Quantity::Length => (Some("mm"), Fixed::mm),
             Quantity::Angle => (Some("deg"), Fixed::degrees),
+            Quantity::Area => (Some("m2"), Fixed::square_metres),
+            Quantity::Mass => (Some("kg"), Fixed::kilograms),
             Quantity::Planarity => (None, Fixed::planarity),
+            Quantity::Ratio => (None, Fixed::ratio),
+            Quantity::Count => (None, |value| Fixed { value, decimals: 0 }),
         };
         let worst = |measured: &Measured| WorstReport {
             address: measured.address.clone(),
@@ -67,6 +81,7 @@ impl Requirement {
         };
         Self {
             text: text.to_owned(),
+            measure,
             holds: result.holds(),
             unit,
             failing: result.failing,

@@ -4,7 +4,7 @@ use super::*;
 use crate::fabricate::checks::{CheckResult, Limit, Measured, planarity::planarity};
 use crate::fabricate::label::Label;
 use crate::fabricate::material::Material;
-use crate::fabricate::panel::{Grain, PanelSettings, Side, panels};
+use crate::fabricate::panel::{Edges, Grain, PanelSettings, Side, panels};
 use crate::geometry::samples;
 use glam::DVec3;
 
@@ -17,7 +17,13 @@ fn report() -> Report {
     designed.vertices[0].z = 4.0;
     let material =
         Material { name: "plywood".into(), thickness: Some(12.0), density: None, least_bend_radius: None };
-    let settings = PanelSettings { material, board: (2500.0, 1250.0), side: Side::Centred, grain: Grain::U };
+    let settings = PanelSettings {
+        material,
+        board: (2500.0, 1250.0),
+        side: Side::Centred,
+        grain: Grain::U,
+        edges: Edges::Square,
+    };
     let labels: Vec<Label> =
         (0..2).map(|k| Label { address: format!("shell.{k}"), ..Label::default() }).collect();
     let made = panels(&designed, &mesh, &labels, &settings).unwrap();
@@ -35,13 +41,19 @@ fn report() -> Report {
             mass_kg: None,
         },
         counts: Counts { elements: 2, made: made.panels.len(), refused: made.refused.len() },
+        relief: None,
         planarity: Some(PlanarityReport {
             before: SurfaceSummary::of(&MeshSummary::of(&designed), address),
             after: SurfaceSummary::of(&MeshSummary::of(&mesh), address),
             planarize: None,
             moved: MovedReport::between(&designed, &mesh),
         }),
-        requirements: vec![Requirement::of("planarity >= 0.9998", Quantity::Planarity, &checked)],
+        requirements: vec![Requirement::of(
+            "planarity >= 0.9998",
+            "planarity",
+            Quantity::Planarity,
+            &checked,
+        )],
         parts: made.panels.iter().map(|panel| Part::of_panel(panel, "shell", "plywood", Grain::U)).collect(),
     });
     report
@@ -77,7 +89,21 @@ fn angles_are_written_in_degrees() {
         place: "end".into(),
         value: std::f64::consts::FRAC_PI_4,
     });
-    let written = Requirement::of("mitre <= 45deg", Quantity::Angle, &result);
+    let written = Requirement::of("mitre <= 45deg", "mitre", Quantity::Angle, &result);
     assert_eq!(serde_json::to_value(written.worst[0].value).unwrap(), 45.0);
     assert_eq!((written.unit, written.holds), (Some("deg"), true));
+}
+
+#[test]
+fn each_quantity_has_its_unit() {
+    let result = CheckResult { total: 1, extremes: Some((0.5, 2_500_000.0)), ..CheckResult::default() };
+    let written = |quantity| {
+        let written = Requirement::of("…", "…", quantity, &result);
+        (written.unit, serde_json::to_string(&written.most).unwrap())
+    };
+    assert_eq!(written(Quantity::Length), (Some("mm"), "2500000.000".to_owned()));
+    assert_eq!(written(Quantity::Area), (Some("m2"), "2.500000".to_owned()));
+    assert_eq!(written(Quantity::Mass), (Some("kg"), "2500000.000".to_owned()));
+    assert_eq!(written(Quantity::Ratio), (None, "2500000.000000".to_owned()));
+    assert_eq!(written(Quantity::Count), (None, "2500000".to_owned()));
 }
