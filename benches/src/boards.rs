@@ -34,8 +34,8 @@ fn quads(count: usize, length: (f64, f64), width: (f64, f64), skew: f64, any_qua
         let (length, width) = (numbers.between(length.0, length.1), numbers.between(width.0, width.1));
         let skew = skew.min(width / 3.0);
         let corners = [(0.0, 0.0), (length, 0.0), (length, width), (0.0, width)];
-        let mut outline =
-            corners.map(|(x, y)| DVec2::new(x + numbers.between(-skew, skew), y + numbers.between(-skew, skew)));
+        let mut outline = corners
+            .map(|(x, y)| DVec2::new(x + numbers.between(-skew, skew), y + numbers.between(-skew, skew)));
         outline[0].y = 0.0;
         outline[1].y = 0.0;
         Part { outline: outline.to_vec(), any_quarter }

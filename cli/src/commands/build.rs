@@ -55,7 +55,13 @@ fn selection(emit: &[Emit]) -> Selection {
         return Selection::ALL;
     }
     let wants = |which: Emit| emit.contains(&which);
-    Selection { glb: wants(Emit::Glb), nc: wants(Emit::Nc), csv: wants(Emit::Csv), svg: wants(Emit::Svg), json: wants(Emit::Json) }
+    Selection {
+        glb: wants(Emit::Glb),
+        nc: wants(Emit::Nc),
+        csv: wants(Emit::Csv),
+        svg: wants(Emit::Svg),
+        json: wants(Emit::Json),
+    }
 }
 
 fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed, FolderError> {
@@ -70,7 +76,13 @@ fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed,
     staging.commit(&Provenance { sources, parameters })
 }
 
-fn finish(analysis: &Analysis, nests: &Nests, committed: &Committed, out: &Path, format: MessageFormat) -> Exit {
+fn finish(
+    analysis: &Analysis,
+    nests: &Nests,
+    committed: &Committed,
+    out: &Path,
+    format: MessageFormat,
+) -> Exit {
     for name in &committed.foreign {
         output::message(&format!("note: kept {name}, which no build wrote\n"));
     }

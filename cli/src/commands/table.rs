@@ -101,18 +101,27 @@ fn plank_rows(text: &mut String, figure: &str, planks: &PlanksMade) {
 
 /// Sheets and bars: how many, what they yield, and below which number nobody gets.
 fn nest_rows(text: &mut String, nests: &Nests) {
-    let share = |share: Option<f64>| share.map_or(String::new(), |share| format!(", yield {:.1} %", 100.0 * share));
+    let share =
+        |share: Option<f64>| share.map_or(String::new(), |share| format!(", yield {:.1} %", 100.0 * share));
     for nest in &nests.sheets {
         let (count, sheet) = (nest.nested.sheets, &nest.sheet);
         let size = format!("{} mm by {} mm", sheet.length, sheet.width);
         let yielded = share(nest.whole_yield());
-        row(text, "sheets", &format!("{count} of {}, {size}{yielded}, at least {}", nest.material, nest.least));
+        row(
+            text,
+            "sheets",
+            &format!("{count} of {}, {size}{yielded}, at least {}", nest.material, nest.least),
+        );
         unplaced(text, nest.nested.unplaced.len());
     }
     for nest in &nests.bars {
         let (count, length) = (nest.sawn.bars.len(), nest.stock.length);
         let yielded = share(nest.whole_yield());
-        row(text, "bars", &format!("{count} of {}, {length} mm{yielded}, at least {}", nest.material, nest.least));
+        row(
+            text,
+            "bars",
+            &format!("{count} of {}, {length} mm{yielded}, at least {}", nest.material, nest.least),
+        );
         unplaced(text, nest.sawn.too_long.len());
     }
 }

@@ -172,8 +172,14 @@ mod tests {
             grain: true,
             parts: vec![("<x>", corners)],
         });
-        assert!(text.contains("a &lt; b &amp; &quot;c&quot;") && text.contains(">&lt;x&gt;</text>"), "{text}");
-        assert!(text.contains("points=\"30.000,360.000 130.000,360.000 130.000,290.000 30.000,290.000\""), "{text}");
+        assert!(
+            text.contains("a &lt; b &amp; &quot;c&quot;") && text.contains(">&lt;x&gt;</text>"),
+            "{text}"
+        );
+        assert!(
+            text.contains("points=\"30.000,360.000 130.000,360.000 130.000,290.000 30.000,290.000\""),
+            "{text}"
+        );
         assert!(text.contains("width=\"540.000mm\" height=\"400.000mm\""), "{text}");
     }
 }

@@ -5,10 +5,10 @@ use super::number::Fixed;
 use crate::nest::bars::{Bar, Placed, Stock};
 
 /// The columns. Cuts are told by where the plank's face meets the axis, from the raw left end of the bar, and by how
-/// they lean from square, anticlockwise. `first_cut` is `raw` for the bar's own end, `shared` where one stroke makes it
+/// they lean from square, anticlockwise, and how the blade is tilted beside. `first_cut` is `raw` for the bar's own end, `shared` where one stroke makes it
 /// and the face before it, else `own`; so is `second_cut`. A plank lies `as drawn`, `end first`, `turned over`, or both.
 /// The offcut is told with the last plank of a bar.
-pub const HEADERS: [&str; 20] = [
+pub const HEADERS: [&str; 22] = [
     "bar",
     "material",
     "depth_mm",
@@ -23,9 +23,11 @@ pub const HEADERS: [&str; 20] = [
     "first_cut",
     "first_cut_mm",
     "first_cut_deg",
+    "first_cut_tilt_deg",
     "second_cut",
     "second_cut_mm",
     "second_cut_deg",
+    "second_cut_tilt_deg",
     "lies",
     "offcut_mm",
     "status",
@@ -36,8 +38,6 @@ pub const HEADERS: [&str; 20] = [
 pub struct Bars<'a> {
     /// The name of the material.
     pub material: &'a str,
-    /// Of the section, square to the plane of the mitres, mm.
-    pub width: f64,
     /// Raw bars and saw.
     pub stock: &'a Stock,
     /// Each with its name.
@@ -63,7 +63,7 @@ pub fn stock_csv(kinds: &[Bars<'_>]) -> String {
             cells.extend(of_kind(kind));
             cells.push(Cell::Empty);
             cells.extend(of_plank(kind, *plank));
-            cells.extend((0..8).map(|_| Cell::Empty));
+            cells.extend((0..10).map(|_| Cell::Empty));
             cells.push(Cell::Text(why));
             table.row(cells);
         }
@@ -73,7 +73,7 @@ pub fn stock_csv(kinds: &[Bars<'_>]) -> String {
 
 fn of_kind<'a>(kind: &Bars<'a>) -> Vec<Cell<'a>> {
     let mut cells = vec![Cell::Text(kind.material)];
-    let sizes = [kind.stock.depth, kind.width, kind.stock.length, kind.stock.kerf];
+    let sizes = [kind.stock.depth, kind.stock.width, kind.stock.length, kind.stock.kerf];
     cells.extend(sizes.map(|size| Cell::Number(Fixed::mm(size))));
     cells
 }
@@ -94,6 +94,7 @@ fn row<'a>(kind: &Bars<'a>, name: &'a str, bar: &Bar, place: usize, placed: &Pla
         cells.push(Cell::Text(made_by(bar, placed, end)));
         cells.push(Cell::Number(Fixed::mm(placed.at[end])));
         cells.push(Cell::Number(Fixed::degrees(placed.leans[end])));
+        cells.push(Cell::Number(Fixed::degrees(placed.tilts[end])));
     }
     cells.push(Cell::Text(match (placed.end_first, placed.turned_over) {
         (false, false) => "as drawn",
@@ -125,13 +126,12 @@ mod tests {
 
     #[test]
     fn a_bar_of_mitred_planks_in_turn() {
-        let stock = Stock { length: 1000.0, depth: 100.0, kerf: 4.0, trim: 0.0 };
+        let stock = Stock { length: 1000.0, depth: 100.0, width: 27.0, kerf: 4.0, trim: 0.0 };
         let lean = libm::atan(0.1);
-        let planks = [Plank { length: 400.0, mitres: [-lean, lean] }; 2];
+        let planks = [Plank { length: 400.0, mitres: [-lean, lean], bevels: [0.0, 0.0] }; 2];
         let sawn = saw(&planks, &stock);
         let kind = Bars {
             material: "spruce",
-            width: 27.0,
             stock: &stock,
             bars: vec![("bar-1", &sawn.bars[0])],
             planks: vec![(["a.0", "a-0", "a"], 400.0), (["a.1", "a-1", "a"], 400.0)],
@@ -142,14 +142,14 @@ mod tests {
         assert!(lines.iter().all(|line| line.split(',').count() == HEADERS.len()), "{text}");
         assert_eq!(
             lines[1],
-            "bar-1,spruce,100.000,27.000,1000.000,4.000,1,a.0,a-0,a,400.000,own,5.000,-5.7106,shared,405.000,5.7106,as \
+            "bar-1,spruce,100.000,27.000,1000.000,4.000,1,a.0,a-0,a,400.000,own,5.000,-5.7106,0.0000,shared,405.000,5.7106,0.0000,as \
              drawn,,placed"
         );
         assert_eq!(
             lines[2],
-            "bar-1,spruce,100.000,27.000,1000.000,4.000,2,a.1,a-1,a,400.000,shared,409.020,5.7106,own,809.020,-5.7106,turned \
+            "bar-1,spruce,100.000,27.000,1000.000,4.000,2,a.1,a-1,a,400.000,shared,409.020,5.7106,0.0000,own,809.020,-5.7106,0.0000,turned \
              over,181.960,placed"
         );
-        assert_eq!(lines[3], ",spruce,100.000,27.000,1000.000,4.000,,a.1,a-1,a,400.000,,,,,,,,,too long");
+        assert_eq!(lines[3], ",spruce,100.000,27.000,1000.000,4.000,,a.1,a-1,a,400.000,,,,,,,,,,,too long");
     }
 }

@@ -76,8 +76,6 @@ impl SheetNest {
 pub struct BarNest {
     /// The name of their material.
     pub material: String,
-    /// Depth and width of the section, mm.
-    pub section: (f64, f64),
     /// Raw bars and saw.
     pub stock: Stock,
     /// The planks by address.
@@ -179,7 +177,17 @@ fn sheet_nest(key: &Key<'_>, sheet: Sheet, blocks: &[(usize, &Fabrication)]) -> 
     let nested = nest(&parts, &sheet);
     let least = least_sheets(nested.placements.iter().map(|placement| &parts[placement.part]), &sheet);
     let (material, thickness) = (key.material.to_owned(), key.thickness);
-    SheetNest { material, thickness, sheet, named, parts, nested, least, names: Vec::new(), span: span_of(blocks) }
+    SheetNest {
+        material,
+        thickness,
+        sheet,
+        named,
+        parts,
+        nested,
+        least,
+        names: Vec::new(),
+        span: span_of(blocks),
+    }
 }
 
 fn bar_nest(key: &Key<'_>, stock: Stock, blocks: &[(usize, &Fabrication)]) -> BarNest {
@@ -191,8 +199,8 @@ fn bar_nest(key: &Key<'_>, stock: Stock, blocks: &[(usize, &Fabrication)]) -> Ba
     let sawn = saw(&planks, &stock);
     let placed = sawn.bars.iter().flat_map(|bar| &bar.planks).map(|placed| planks[placed.plank]);
     let least = least_bars(&placed.collect::<Vec<_>>(), &stock);
-    let (material, section) = (key.material.to_owned(), (stock.depth, key.thickness));
-    BarNest { material, section, stock, named, planks, sawn, least, names: Vec::new(), span: span_of(blocks) }
+    let material = key.material.to_owned();
+    BarNest { material, stock, named, planks, sawn, least, names: Vec::new(), span: span_of(blocks) }
 }
 
 /// Numbers from 1 through all nests, with as many digits as the last one has.
@@ -225,7 +233,9 @@ fn failed(found: &[Fault], named: &[Named], span: Span) -> Option<Diagnostic> {
     let first = found.first()?;
     let parts = match *first {
         Fault::TooNear { parts, .. } => parts.to_vec(),
-        Fault::NotOnce { part, .. } | Fault::NotAllowed { part } | Fault::OutsideMargin { part, .. } => vec![part],
+        Fault::NotOnce { part, .. } | Fault::NotAllowed { part } | Fault::OutsideMargin { part, .. } => {
+            vec![part]
+        }
     };
     let aliases: Vec<&str> =
         parts.iter().filter_map(|&part| named.get(part)).map(|named| named.alias.as_str()).collect();

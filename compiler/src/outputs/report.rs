@@ -18,7 +18,12 @@ use crate::plan::{Depth, Each, Shape};
 use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
 
 /// The report with the parts of each block; `sheet_files` are the extensions of the files made for a sheet.
-pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>, nests: &Nests, sheet_files: &[&str]) -> Report {
+pub(super) fn report(
+    analysis: &Analysis,
+    parts: Vec<Vec<Part>>,
+    nests: &Nests,
+    sheet_files: &[&str],
+) -> Report {
     let mut out = Report::new(&analysis.design_name());
     out.parameters = parameter_texts(analysis)
         .into_iter()

@@ -19,9 +19,12 @@ pub(super) fn nest_list(nests: &Nests) -> Option<String> {
             let texts = [&*named.address, &*named.alias, &*named.figure, &*nest.material];
             Row { texts, thickness: nest.thickness, lies }
         };
-        rows.extend(nest.nested.placements.iter().map(|placement| {
-            row(placement.part, Ok((nest.names[placement.sheet].as_str(), *placement)))
-        }));
+        rows.extend(
+            nest.nested
+                .placements
+                .iter()
+                .map(|placement| row(placement.part, Ok((nest.names[placement.sheet].as_str(), *placement)))),
+        );
         rows.extend(nest.nested.unplaced.iter().map(|part| row(part.part, Err(part.reason.to_string()))));
     }
     (!nests.sheets.is_empty()).then(|| nest_csv(&rows))
@@ -33,7 +36,6 @@ pub(super) fn stock_list(nests: &Nests) -> Option<String> {
         let planks = nest.named.iter().zip(&nest.planks);
         Bars {
             material: &nest.material,
-            width: nest.section.1,
             stock: &nest.stock,
             bars: nest.names.iter().map(String::as_str).zip(&nest.sawn.bars).collect(),
             planks: planks.map(|(named, plank)| (texts(named), plank.length)).collect(),
@@ -146,8 +148,8 @@ pub(super) fn bars_report(nest: &BarNest) -> BarsReport {
     });
     BarsReport {
         material: nest.material.clone(),
-        depth_mm: Fixed::mm(nest.section.0),
-        width_mm: Fixed::mm(nest.section.1),
+        depth_mm: Fixed::mm(nest.stock.depth),
+        width_mm: Fixed::mm(nest.stock.width),
         length_mm: Fixed::mm(nest.stock.length),
         kerf_mm: Fixed::mm(nest.stock.kerf),
         trim_mm: Fixed::mm(nest.stock.trim),

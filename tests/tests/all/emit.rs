@@ -5,7 +5,7 @@
 
 use std::fs;
 
-use ifs_compiler::analysis::Elements;
+use ifs_compiler::analysis::{Elements, Nest};
 use ifs_tests::designs::{analysis_of, contents, example_path, example_text, examples};
 use ifs_tests::outcome::run;
 use ifs_tests::suite::is_update;
@@ -40,15 +40,22 @@ fn only_what_is_asked_for_is_written() {
     for name in examples() {
         let made = analysis_of(&example_text(&name)).fabrications;
         let panels = made.iter().any(|made| matches!(made.elements, Elements::Panels(_)));
-        let lists: &[&str] = match (made.is_empty(), panels) {
-            (true, _) => &[],
-            (_, false) => &["cutlist.csv"],
-            (_, true) => &["cutlist.csv", "planarity.csv"],
+        let nested = |bars: bool| {
+            made.iter().any(|made| matches!(made.nest, Some(Nest::Bars(_))) == bars && made.nest.is_some())
         };
+        let lists: Vec<&str> = [
+            ("cutlist.csv", !made.is_empty()),
+            ("nest.csv", nested(false)),
+            ("planarity.csv", panels),
+            ("stock.csv", nested(true)),
+        ]
+        .into_iter()
+        .filter_map(|(list, made)| made.then_some(list))
+        .collect();
         let build = |emit: &str| {
             run(program().arg("build").arg(example_path(&name)).args(["--emit", emit, "-o"]).arg(&out)).good()
         };
-        for (emit, expected) in [("glb", &["model.glb"][..]), ("csv", lists), ("json", &["report.json"])] {
+        for (emit, expected) in [("glb", &["model.glb"][..]), ("csv", &lists), ("json", &["report.json"])] {
             build(emit);
             let mut expected: Vec<&str> = expected.iter().copied().chain(["manifest.json"]).collect();
             expected.sort_unstable();

@@ -185,13 +185,8 @@ fn words() -> Vec<String> {
     let units = Unit::ALL.iter().map(|unit| unit.suffix().to_owned());
     let dimensions = Dimension::names().map(str::to_owned);
     let measures = Measure::ALL.iter().map(|measure| measure.words().to_owned());
-    let blocks = [
-        SchemaKind::Panels,
-        SchemaKind::Planks,
-        SchemaKind::Planarize,
-        SchemaKind::Sheets,
-        SchemaKind::Bars,
-    ];
+    let blocks =
+        [SchemaKind::Panels, SchemaKind::Planks, SchemaKind::Planarize, SchemaKind::Sheets, SchemaKind::Bars];
     let settings = blocks.into_iter().flat_map(SchemaKind::settings);
     let settings = settings.map(|setting| setting.name.to_owned());
     let choices = [ChoiceKind::Side, ChoiceKind::Grain, ChoiceKind::Edges, ChoiceKind::Ends, ChoiceKind::Pin];

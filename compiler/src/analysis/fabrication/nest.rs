@@ -29,13 +29,15 @@ pub(crate) fn nested_panel(panel: &Panel, grain: Grain) -> Part {
 
 /// A plank as it is nested.
 pub(crate) fn nested_plank(plank: &Plank) -> bars::Plank {
-    bars::Plank { length: plank.length, mitres: plank.mitres }
+    bars::Plank { length: plank.length, mitres: plank.mitres, bevels: plank.bevels }
 }
 
 impl Work<'_> {
     /// What the block asks for, `Some(None)` where it asks for nothing; `None` after a report.
     pub(super) fn nest(&mut self, elements: &Elements) -> Option<Option<Nest>> {
-        let Some((_, Value::Settings(given), span)) = self.setting("nest").cloned() else { return Some(None) };
+        let Some((_, Value::Settings(given), span)) = self.setting("nest").cloned() else {
+            return Some(None);
+        };
         for (name, value, place) in given.iter() {
             let value = value.number().unwrap_or(f64::NAN);
             if !(value >= 0.0 && value.is_finite()) {
@@ -54,7 +56,8 @@ impl Work<'_> {
     fn sheets(&mut self, made: &PanelsMade, given: &[SettingValue], span: Span) -> Option<Sheet> {
         let tool = self.tool();
         let asked = |name: &str| find(given, name);
-        let gap = asked("gap").map_or(tool.as_ref().map_or(GAP, |tool| tool.diameter + SPACING), |(gap, _)| gap);
+        let gap =
+            asked("gap").map_or(tool.as_ref().map_or(GAP, |tool| tool.diameter + SPACING), |(gap, _)| gap);
         let margin = asked("margin").map_or(tool.as_ref().map_or(MARGIN, Tool::margin), |(margin, _)| margin);
         let (length, width) = made.settings.board;
         let sheet = Sheet { length, width, margin, gap };
@@ -84,17 +87,25 @@ impl Work<'_> {
     fn room_for(&mut self, tool: &Tool, sheet: &Sheet, given: &[SettingValue], span: Span) -> Option<()> {
         let needs = [
             ("gap", sheet.gap, tool.diameter, "the cutter passes between boards once"),
-            ("margin", sheet.margin, tool.margin(), "the machine keeps its own margin around what the cutter sweeps"),
+            (
+                "margin",
+                sheet.margin,
+                tool.margin(),
+                "the machine keeps its own margin around what the cutter sweeps",
+            ),
         ];
         for (name, value, least, why) in needs {
             if value >= least {
                 continue;
             }
             let place = find(given, name).map_or(span, |(_, place)| place);
-            let message =
-                format!("a {name} of {value}mm is too small for a cutter of {}mm: it takes {least}mm", tool.diameter);
+            let message = format!(
+                "a {name} of {value}mm is too small for a cutter of {}mm: it takes {least}mm",
+                tool.diameter
+            );
             let diagnostic = Diagnostic::new(Code::E0931, place, message).label("too small").note(why);
-            self.diagnostics.push(diagnostic.hint(format!("write `{name}: {least}mm`, or leave `{name}` out")));
+            self.diagnostics
+                .push(diagnostic.hint(format!("write `{name}: {least}mm`, or leave `{name}` out")));
             return None;
         }
         Some(())
@@ -110,7 +121,8 @@ impl Work<'_> {
         let length = length.number().unwrap_or(0.0);
         let value = |name: &str, default: f64| find(given, name).map_or(default, |(value, _)| value);
         let (kerf, trim) = (value("kerf", KERF), value("trim", 0.0));
-        let stock = Stock { length, depth: made.settings.depth, kerf, trim };
+        let (depth, width) = (made.settings.depth, made.settings.width);
+        let stock = Stock { length, depth, width, kerf, trim };
         if length - 2.0 * trim <= 0.0 {
             let place = find(given, "trim").map_or(span, |(_, place)| place);
             let message = format!(
@@ -135,9 +147,11 @@ impl Work<'_> {
         let message = format!("{} ({}) lies on no {on}: {reason}", label.alias, label.address);
         let mut diagnostic = Diagnostic::new(Code::W0932, span, message).label("nested here");
         if named.len() > 1 {
-            let others: Vec<&str> = named[1..].iter().take(5).map(|(label, _)| label.alias.as_str()).collect();
+            let others: Vec<&str> =
+                named[1..].iter().take(5).map(|(label, _)| label.alias.as_str()).collect();
             let more = if named.len() > 6 { ", …" } else { "" };
-            diagnostic = diagnostic.note(format!("and {} more: {}{more}", named.len() - 1, others.join(", ")));
+            diagnostic =
+                diagnostic.note(format!("and {} more: {}{more}", named.len() - 1, others.join(", ")));
         }
         self.diagnostics.push(diagnostic.hint(hint));
     }

@@ -44,11 +44,8 @@ fn handles_are_unique_and_below_the_seed() {
     let tags = tags(&written(&drawing));
     let seed = tags.iter().position(|tag| tag.1 == "$HANDSEED").unwrap() + 1;
     let number = |text: &str| u64::from_str_radix(text, 16).unwrap();
-    let handles: Vec<u64> = tags[seed + 1..]
-        .iter()
-        .filter(|tag| [5, 105].contains(&tag.0))
-        .map(|tag| number(&tag.1))
-        .collect();
+    let handles: Vec<u64> =
+        tags[seed + 1..].iter().filter(|tag| [5, 105].contains(&tag.0)).map(|tag| number(&tag.1)).collect();
     let unique: std::collections::BTreeSet<u64> = handles.iter().copied().collect();
     assert_eq!(unique.len(), handles.len());
     assert!(handles.iter().all(|handle| *handle < number(&tags[seed].1)));

@@ -61,8 +61,9 @@ impl Filler<'_> {
     fn best_fit(&self, waiting: &[usize]) -> Vec<Vec<usize>> {
         let mut bars: Vec<(f64, Vec<usize>)> = Vec::new();
         for &plank in waiting {
-            let mut open: Vec<usize> =
-                (bars.len().saturating_sub(OPEN)..bars.len()).filter(|&bar| bars[bar].0 + self.least(plank) <= self.room).collect();
+            let mut open: Vec<usize> = (bars.len().saturating_sub(OPEN)..bars.len())
+                .filter(|&bar| bars[bar].0 + self.least(plank) <= self.room)
+                .collect();
             open.sort_by(|&a, &b| bars[b].0.total_cmp(&bars[a].0).then(a.cmp(&b)));
             let found = open.into_iter().take(TRIED).find(|&bar| {
                 let with: Vec<usize> = bars[bar].1.iter().copied().chain([plank]).collect();

@@ -136,9 +136,8 @@ impl Lying {
         };
         let corners: Vec<DVec2> = outline.iter().map(put).collect();
         let first = *corners.first()?;
-        let (low, high) = corners
-            .iter()
-            .fold((first, first), |(low, high), corner| (low.min(*corner), high.max(*corner)));
+        let (low, high) =
+            corners.iter().fold((first, first), |(low, high), corner| (low.min(*corner), high.max(*corner)));
         Some(Self { part: placement.part, corners, low, high })
     }
 

@@ -68,7 +68,8 @@ impl Chains {
 
     /// The area between the y axis and the right chain, by its height.
     pub(super) fn mean_right(&self) -> f64 {
-        let strips = self.right.windows(2).map(|pair| (pair[1].y - pair[0].y) * (pair[0].x + pair[1].x) / 2.0);
+        let strips =
+            self.right.windows(2).map(|pair| (pair[1].y - pair[0].y) * (pair[0].x + pair[1].x) / 2.0);
         strips.sum::<f64>() / (self.high() - self.low()).max(f64::MIN_POSITIVE)
     }
 

@@ -69,7 +69,9 @@ impl Layout {
             }
             let fixed = shapes.of(other);
             let raised = item.at[1 - axis] - other.at[1 - axis];
-            let Some((before, past)) = fixed.along(axis).forbidden(shape.along(axis), raised) else { continue };
+            let Some((before, past)) = fixed.along(axis).forbidden(shape.along(axis), raised) else {
+                continue;
+            };
             if before + other.at[axis] < now {
                 least = least.max(past + other.at[axis] + SLACK);
             }
@@ -78,7 +80,14 @@ impl Layout {
     }
 
     /// The least x at which a shape fits at the height `y`; none beyond `most`.
-    fn leftmost(&self, shapes: &Shapes, shape: &Shape, y: f64, most: f64, taken: &mut Vec<(f64, f64)>) -> Option<f64> {
+    fn leftmost(
+        &self,
+        shapes: &Shapes,
+        shape: &Shape,
+        y: f64,
+        most: f64,
+        taken: &mut Vec<(f64, f64)>,
+    ) -> Option<f64> {
         let mut x = -shape.low.x;
         let end = (self.size.x - shape.high.x).min(most);
         if x > end {

@@ -77,7 +77,13 @@ pub(super) fn strips(shapes: &Shapes, parts: &[usize], manner: Manner, room: DVe
 }
 
 /// A strip as high as the first part that waits, which goes on with whatever wastes least; and which were used.
-fn fill(shapes: &Shapes, waiting: &VecDeque<Waiting>, window: usize, axis: usize, end: f64) -> (Strip, Vec<usize>) {
+fn fill(
+    shapes: &Shapes,
+    waiting: &VecDeque<Waiting>,
+    window: usize,
+    axis: usize,
+    end: f64,
+) -> (Strip, Vec<usize>) {
     let height = waiting[0].height;
     let mut strip = Strip { items: Vec::new(), height, area: 0.0 };
     let mut used: Vec<usize> = Vec::new();
