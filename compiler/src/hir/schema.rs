@@ -81,6 +81,10 @@ pub enum SchemaKind {
     Planks,
     /// `planarize: { … }`
     Planarize,
+    /// `nest: { … }` of panels
+    Sheets,
+    /// `nest: { … }` of planks
+    Bars,
 }
 
 /// What a setting takes.
@@ -90,8 +94,6 @@ pub enum SettingType {
     Of(Type),
     /// A record of the library by its name.
     Library(&'static str),
-    /// A setting of the language that the program cannot do yet.
-    Later,
 }
 
 /// One setting.
@@ -115,10 +117,6 @@ fn library(name: &'static str, record: &'static str, required: bool, doc: &'stat
     Setting { name, ty: SettingType::Library(record), required, doc }
 }
 
-fn not_yet(name: &'static str, doc: &'static str) -> Setting {
-    Setting { name, ty: SettingType::Later, required: false, doc }
-}
-
 impl SchemaKind {
     /// What the block is called in messages.
     pub fn name(self) -> &'static str {
@@ -126,6 +124,8 @@ impl SchemaKind {
             SchemaKind::Panels => "panels",
             SchemaKind::Planks => "planks",
             SchemaKind::Planarize => "planarize",
+            SchemaKind::Sheets => "nests of panels",
+            SchemaKind::Bars => "nests of planks",
         }
     }
 
@@ -135,6 +135,8 @@ impl SchemaKind {
             SchemaKind::Panels => panels(),
             SchemaKind::Planks => planks(),
             SchemaKind::Planarize => planarize(),
+            SchemaKind::Sheets => sheets(),
+            SchemaKind::Bars => bars(),
         }
     }
 
@@ -157,6 +159,7 @@ fn panels() -> Vec<Setting> {
         setting("grain", Type::Choice(ChoiceKind::Grain), false, "the direction the grain runs"),
         setting("edges", Type::Choice(ChoiceKind::Edges), false, "how the edges are cut"),
         setting("planarize", Type::Settings(SchemaKind::Planarize), false, "make the quads flat first"),
+        setting("nest", Type::Settings(SchemaKind::Sheets), false, "lay the boards out on raw boards"),
     ];
     settings.extend(shop());
     settings
@@ -176,6 +179,7 @@ fn planks() -> Vec<Setting> {
         ),
         setting("last", Type::Cut, false, "where the last plank of a curve ends: square, or cut to a plane"),
         setting("gap", Type::LENGTH, false, "how much each side of a joint is shortened"),
+        setting("nest", Type::Settings(SchemaKind::Bars), false, "cut the planks out of raw bars"),
     ];
     settings.extend(shop());
     settings
@@ -191,7 +195,6 @@ fn shop() -> Vec<Setting> {
             false,
             "makes a model: the geometry is that much smaller, thickness and tools are not",
         ),
-        not_yet("nest", "nesting on sheets"),
     ]
 }
 
@@ -207,5 +210,19 @@ fn planarize() -> Vec<Setting> {
         setting("move", Type::LENGTH, false, "the length of the first move"),
         setting("iterations", Type::Int, false, "how many iterations at most"),
         setting("pin", Type::Choice(ChoiceKind::Pin), false, "which vertices stay in place"),
+    ]
+}
+
+fn sheets() -> Vec<Setting> {
+    vec![
+        setting("gap", Type::LENGTH, false, "the least distance between boards"),
+        setting("margin", Type::LENGTH, false, "the least distance from the edge of the raw board"),
+    ]
+}
+
+fn bars() -> Vec<Setting> {
+    vec![
+        setting("kerf", Type::LENGTH, false, "what the saw blade takes"),
+        setting("trim", Type::LENGTH, false, "what is left aside at each end of a raw bar"),
     ]
 }
