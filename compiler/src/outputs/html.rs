@@ -8,7 +8,7 @@ use crate::analysis::{
 };
 use crate::export::html::{self, CurveShape, Document, Made, PanelShapes, Plain, PlankShapes, SurfaceShape};
 use crate::export::report::Report;
-use crate::plan::evaluate::PiecesEvaluator;
+use crate::plan::evaluate::{GermShape, PiecesEvaluator};
 use glam::DVec3;
 use std::convert::Infallible;
 
@@ -88,7 +88,6 @@ fn plain(analysis: &Analysis, place: usize, left: &mut usize) -> Option<Plain> {
 }
 
 fn pieces(evaluator: &PiecesEvaluator, plain: &mut Plain, left: &mut usize) {
-    use crate::ifs::GermShape;
     let mut vertices = Vec::new();
     let Ok(()) = evaluator.stream(|tile| {
         for element in tile.elements() {
