@@ -1,5 +1,6 @@
 //! What a build writes: from one analysis to named outputs. The folder they go to, and when, is the caller's business.
 
+mod machines;
 mod model;
 pub mod names;
 mod parts;
@@ -111,7 +112,7 @@ pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
         }
         files.extend(programs);
     }
-    let parts = parts::parts(analysis, selection.nc);
+    let parts = parts::parts(analysis, &files);
     if selection.csv && !analysis.fabrications.is_empty() {
         let all: Vec<_> = parts.iter().flatten().cloned().collect();
         files.push(Output::new("cutlist.csv", "list", cut_list::cut_list(&all)));

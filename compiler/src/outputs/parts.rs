@@ -1,18 +1,24 @@
 //! Boards and planks as lists and reports give them.
 
-use super::names::safe_file_name;
+use super::Output;
 use crate::analysis::{Analysis, Elements, Fabrication};
 use crate::export::number::Fixed;
 use crate::export::part::Part;
+use std::collections::BTreeMap;
 
-/// The parts of each fabricate block: made ones in order, then refused ones. `programs` says whether NC programs are
-/// written for them.
-pub(super) fn parts(analysis: &Analysis, programs: bool) -> Vec<Vec<Part>> {
-    analysis.fabrications.iter().map(|made| block(made, programs)).collect()
+/// The parts of each fabricate block: made ones in order, then refused ones. Each names those of the outputs that are for
+/// it alone.
+pub(super) fn parts(analysis: &Analysis, outputs: &[Output]) -> Vec<Vec<Part>> {
+    let mut files: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for output in outputs {
+        if let Some(address) = &output.address {
+            files.entry(address).or_default().push(&output.path);
+        }
+    }
+    analysis.fabrications.iter().map(|made| block(made, &files)).collect()
 }
 
-fn block(made: &Fabrication, programs: bool) -> Vec<Part> {
-    let programs = programs && made.settings.iter().any(|(name, _, _)| *name == "machine");
+fn block(made: &Fabrication, files: &BTreeMap<&str, Vec<&str>>) -> Vec<Part> {
     let figure = made.figure.as_str();
     let mut parts: Vec<Part> = match &made.elements {
         Elements::Panels(panels) => {
@@ -24,10 +30,9 @@ fn block(made: &Fabrication, programs: bool) -> Vec<Part> {
             planks.planks.iter().map(|plank| Part::of_plank(plank, figure, material)).collect()
         }
     };
-    if programs {
-        for part in &mut parts {
-            part.files.push(program_path(&part.address));
-        }
+    for part in &mut parts {
+        let own = files.get(part.address.as_str());
+        part.files.extend(own.into_iter().flatten().map(|path| (*path).to_owned()));
     }
     match &made.elements {
         Elements::Panels(panels) => parts.extend(panels.refused.iter().map(|refused| {
@@ -43,9 +48,4 @@ fn block(made: &Fabrication, programs: bool) -> Vec<Part> {
         part.scale = Fixed::ratio(made.scale);
     }
     parts
-}
-
-/// Where the NC program of a board lies in the output folder.
-pub(super) fn program_path(address: &str) -> String {
-    format!("boards/{}", safe_file_name(address, "nc"))
 }
