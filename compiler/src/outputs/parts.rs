@@ -1,6 +1,7 @@
 //! Boards and planks as lists and reports give them.
 
 use super::Output;
+use super::names::safe_file_name;
 use crate::analysis::{Analysis, Elements, Fabrication};
 use crate::export::number::Fixed;
 use crate::export::part::Part;
@@ -48,4 +49,9 @@ fn block(made: &Fabrication, files: &BTreeMap<&str, Vec<&str>>) -> Vec<Part> {
         part.scale = Fixed::ratio(made.scale);
     }
     parts
+}
+
+/// Where the drawing of a board lies in the output folder.
+pub(super) fn drawing_path(address: &str) -> String {
+    format!("boards/{}", safe_file_name(address, "dxf"))
 }

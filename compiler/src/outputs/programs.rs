@@ -2,14 +2,14 @@
 
 use super::machines::machines;
 use super::names::safe_file_name;
-use super::{Output, design_hash};
+use super::{Output, Selection, design_hash};
 use crate::analysis::{Analysis, Elements, Fabrication, number};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::export::nc::{self, NcFile};
 use crate::export::number::fixed;
 use crate::fabricate::cut_job::{CutJob, Engraving, Sheet};
 use crate::fabricate::machine::Machine;
-use crate::fabricate::panel::Panel;
+use crate::fabricate::panel::{Edges, Panel};
 use crate::fabricate::plank::Plank;
 use crate::fabricate::toolpath::{Refusal, sheet};
 use crate::hir::tree::Hir;
@@ -23,21 +23,52 @@ const CLEAR_OF_BEVELS: f64 = 1.0;
 /// How many boards that cannot be cut are named.
 const NAMED: usize = 5;
 
-/// The programs of every block, or what speaks against them.
-pub(super) fn programs(analysis: &Analysis) -> (Vec<Output>, Vec<Diagnostic>) {
-    let mut outputs = Vec::new();
-    let mut diagnostics = Vec::new();
+/// A fabricate block with what its machine is to cut.
+pub(super) struct Block<'a> {
+    /// What it makes.
+    pub(super) made: &'a Fabrication,
+    /// The machine, and where the design names it.
+    pub(super) machine: Option<(Machine, Span)>,
+    /// The same machine with each of its spare cutters.
+    pub(super) spares: Vec<Machine>,
+    /// The boards that are wanted, in order.
+    pub(super) jobs: Vec<CutJob>,
+}
+
+/// The blocks of a design with the boards that are wanted, or what speaks against their machines.
+pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<Block<'a>>, Vec<Diagnostic>) {
+    let (mut blocks, mut diagnostics) = (Vec::new(), Vec::new());
     let hash = design_hash(analysis);
     for made in &analysis.fabrications {
         let setting = |wanted: &str| {
             made.settings.iter().find(|(name, _, _)| *name == wanted).map(|(_, value, span)| (value, *span))
         };
-        let Some((value, span)) = setting("machine") else {
-            continue;
-        };
-        match machines(&analysis.hir, value, span, setting("fixing")) {
-            Ok(machines) => block(analysis, made, &machines, span, &hash, &mut outputs, &mut diagnostics),
+        let machines = setting("machine").map(|(value, span)| {
+            let machines = machines(&analysis.hir, value, span, setting("fixing"))?;
+            Ok((machines, span))
+        });
+        let mut jobs = jobs(analysis, made, &hash);
+        jobs.retain(|job| selection.takes(&job.address, &job.alias));
+        match machines.transpose() {
+            Ok(machines) => {
+                let (mut machines, span) = machines.unwrap_or_default();
+                let spares = machines.split_off(machines.len().min(1));
+                let machine = machines.pop().map(|machine| (machine, span));
+                blocks.push(Block { made, machine, spares, jobs });
+            }
             Err(diagnostic) => diagnostics.push(diagnostic),
+        }
+    }
+    (blocks, diagnostics)
+}
+
+/// The programs of every block with a machine, or what speaks against them.
+pub(super) fn programs(blocks: &[Block<'_>]) -> (Vec<Output>, Vec<Diagnostic>) {
+    let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
+    for block in blocks {
+        if let Some((machine, span)) = &block.machine {
+            let machines: Vec<&Machine> = [machine].into_iter().chain(&block.spares).collect();
+            block_programs(&block.jobs, &machines, *span, &mut outputs, &mut diagnostics);
         }
     }
     (outputs, diagnostics)
@@ -52,28 +83,25 @@ struct Failure {
     remedy: Option<String>,
 }
 
-fn block(
-    analysis: &Analysis,
-    made: &Fabrication,
-    machines: &[Machine],
+fn block_programs(
+    jobs: &[CutJob],
+    machines: &[&Machine],
     span: Span,
-    hash: &str,
     outputs: &mut Vec<Output>,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let mut failures: Vec<Failure> = Vec::new();
-    for job in jobs(analysis, made, hash) {
+    for job in jobs {
         let number = u32::try_from(outputs.len()).map_or(u32::MAX, |before| before.saturating_add(1));
-        match one(&job, machines, number) {
+        match one(job, machines, number) {
             Ok(files) => outputs.extend(files.into_iter().map(|file| {
                 let extension = file.tool.map_or_else(|| "nc".to_owned(), |tool| format!("t{tool}.nc"));
                 let path = format!("boards/{}", safe_file_name(&job.address, &extension));
-                let mut output = Output::new(&path, "program", file.text);
-                output.address = Some(job.address.clone());
-                output
+                Output::of_board(&path, "program", &job.address, file.text.into_bytes())
             })),
             Err(NoProgram { code, why, remedy }) => {
-                failures.push(Failure { code, alias: job.alias, address: job.address, why, remedy });
+                let (alias, address) = (job.alias.clone(), job.address.clone());
+                failures.push(Failure { code, alias, address, why, remedy });
             }
         }
     }
@@ -109,9 +137,9 @@ struct NoProgram {
 
 /// The files of a program that has been read back: on the first of the machines that can, which differ in their cutters.
 /// If none can, it is the first that says why.
-fn one(job: &CutJob, machines: &[Machine], number: u32) -> Result<Vec<NcFile>, NoProgram> {
+fn one(job: &CutJob, machines: &[&Machine], number: u32) -> Result<Vec<NcFile>, NoProgram> {
     let mut refused: Option<Refusal> = None;
-    for machine in machines {
+    for &machine in machines {
         let sheet_of_one = Sheet { number, ..Sheet::single(job, machine) };
         let program = match sheet(&sheet_of_one, machine) {
             Ok(program) => program,
@@ -165,7 +193,7 @@ fn panel_job(panel: &Panel, design: &str, hash: &str, (height, least): (f64, f64
             None => "border".to_owned(),
         };
         let neighbour = towards(panel.neighbours[edge].as_ref());
-        format!("edge {edge}: {bevel}{neighbour}")
+        format!("edge {edge}: {bevel}{}{neighbour}", faces_beside(panel, edge))
     });
     let engraving = Engraving { height, least_height: least, clearance, mark_edge_0: true };
     CutJob {
@@ -178,6 +206,19 @@ fn panel_job(panel: &Panel, design: &str, hash: &str, (height, least): (f64, f64
         engraving,
         face_up: "outer".to_owned(),
         notes: notes.collect(),
+    }
+}
+
+/// How far the two faces, or the two halves of a stepped edge, lie inside the outline that is cut.
+fn faces_beside(panel: &Panel, edge: usize) -> String {
+    let offset = panel.offsets[edge];
+    let inside = |face: f64| fixed(offset.cut() - face, 2).unwrap_or_default();
+    let (top, bottom) = (inside(offset.top), inside(offset.bottom));
+    match panel.edge_cut {
+        _ if panel.bevels[edge].is_none() => String::new(),
+        Edges::Square => String::new(),
+        Edges::Bevelled => format!(", outer face {top} inner face {bottom} inside this outline"),
+        Edges::Stepped => format!(", outer half {top} inner half {bottom} inside this outline"),
     }
 }
 

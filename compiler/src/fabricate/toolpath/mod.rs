@@ -6,6 +6,7 @@
 
 mod clamps;
 mod contour;
+mod engraving;
 mod lead;
 mod lettering;
 mod offset;
@@ -18,6 +19,7 @@ mod tabs;
 #[cfg(test)]
 pub(crate) mod tests;
 
+pub use engraving::engraving;
 pub use program::{Header, PartHeader, PlacedPart, Program, Step, Turn};
 pub use refusal::{PartRefusal, Refusal};
 
