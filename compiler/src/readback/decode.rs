@@ -112,8 +112,7 @@ fn matches(glyph: &Lettering, strokes: &[Stroke], pen: f64) -> bool {
 /// A straight stroke that points away from edge 0 and begins beside it, at the clearance.
 fn marks_edge_0(tick: &Stroke, expected: &Expected, part: usize) -> bool {
     let part = &expected.parts[part];
-    let (Some(&a), Some(&b), &[from, to]) =
-        (part.outline.first(), part.outline.get(1), tick.as_slice())
+    let (Some(&a), Some(&b), &[from, to]) = (part.outline.first(), part.outline.get(1), tick.as_slice())
     else {
         return false;
     };

@@ -55,13 +55,21 @@ pub const TABLE: [(FaultKind, &str, &str); 41] = [
     (FaultKind::LineLength, "nc-line-length", "lines are under 70 characters"),
     (FaultKind::Syntax, "nc-syntax", "lines are words with plain numbers, or one comment"),
     (FaultKind::Word, "nc-word", "only words of the dialect appear, each once in a line"),
-    (FaultKind::Comment, "nc-comment", "comments have only characters that neither end them nor steer the machine"),
+    (
+        FaultKind::Comment,
+        "nc-comment",
+        "comments have only characters that neither end them nor steer the machine",
+    ),
     (
         FaultKind::ProgramFrame,
         "nc-program-frame",
         "the program begins and ends as its dialect asks, with its number",
     ),
-    (FaultKind::FileSet, "nc-file-set", "there is one file, or one for each tool in order where tools are put in by hand"),
+    (
+        FaultKind::FileSet,
+        "nc-file-set",
+        "there is one file, or one for each tool in order where tools are put in by hand",
+    ),
     (FaultKind::Modes, "nc-modes", "all modes are set before the first motion"),
     (FaultKind::FirstMotion, "nc-first-motion", "the first motion with a tool is Z to the safe height"),
     (FaultKind::UnknownPosition, "nc-unknown-position", "feed motion starts from a known position"),

@@ -45,7 +45,11 @@ pub(super) struct Line {
 /// Reads all lines, after `before` others. A line with a fault keeps the words that could be read.
 pub(super) fn read(text: &str, before: usize, profile: &Profile, faults: &mut Vec<Fault>) -> Vec<Line> {
     if !text.ends_with('\n') {
-        faults.push(Fault::new(FaultKind::NotAscii, before + text.lines().count(), "the last line has no LF"));
+        faults.push(Fault::new(
+            FaultKind::NotAscii,
+            before + text.lines().count(),
+            "the last line has no LF",
+        ));
     }
     let lines = text.split_terminator('\n').enumerate();
     lines.map(|(i, line)| read_line(line, before + i + 1, profile, faults)).collect()
@@ -93,9 +97,8 @@ fn read_line(text: &str, number: usize, profile: &Profile, faults: &mut Vec<Faul
 fn check_comment(inner: &str, number: usize, profile: &Profile, faults: &mut Vec<Fault>) {
     let rule = &profile.comment;
     let escape = |c: char| c == rule.escape.0 || c == rule.escape.1;
-    let bad = |c: &char| {
-        (rule.forbidden.contains(*c) && !escape(*c)) || (rule.capitals && c.is_ascii_lowercase())
-    };
+    let bad =
+        |c: &char| (rule.forbidden.contains(*c) && !escape(*c)) || (rule.capitals && c.is_ascii_lowercase());
     if let Some(c) = inner.chars().find(bad) {
         faults.push(Fault::new(FaultKind::Comment, number, format!("has {c:?} in a comment")));
     }

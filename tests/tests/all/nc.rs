@@ -266,3 +266,68 @@ fn the_referee_refuses_what_is_wrong() {
     assert!(unlisted.faults.contains("b-9.nc: listed and not there"), "{}", unlisted.faults);
     assert!(!judged(&folder, &json!([])).good);
 }
+
+/// A flat roof of 25 cm boards on a machine with these arguments and this line more in the block, built.
+fn built(name: &str, machine: &str, line: &str) -> (Vec<String>, String) {
+    let folder = scratch(name);
+    let design = format!(
+        "use std.curves (bspline3)\nuse std.surfaces (sheet)\nuse std.materials (birch_plywood)\n\
+         use std.machines (Machine, Tool, Clamp, router3, tabs, onion_skin)\n\
+         figure roof = sheet(bspline3, bspline3, [[(i * 500mm, j * 500mm, 0mm) for j in 0..5] for i in 0..5]) at level 1\n\
+         fabricate roof as panels {{\n    material: birch_plywood(12mm)\n    board: 2500mm by 1250mm\n    \
+         machine: {machine}\n    {line}\n}}\n"
+    );
+    fs::write(folder.join("roof.ifs"), design).unwrap();
+    let run = ifs_tests::program()
+        .current_dir(&folder)
+        .args(["build", "roof.ifs", "-o", "out", "--emit", "nc,csv"])
+        .output()
+        .unwrap();
+    let mut files: Vec<String> = fs::read_dir(folder.join("out/boards"))
+        .map(|entries| entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect())
+        .unwrap_or_default();
+    files.sort();
+    (files, String::from_utf8(run.stderr).unwrap())
+}
+
+#[test]
+fn a_design_says_how_its_boards_are_held_and_in_which_dialect() {
+    let (files, said) = built("nc-grbl", "router3(dialect: grbl)", "fixing: tabs(count: 3)");
+    assert_eq!(files.len(), 32, "{said}");
+    assert!(files.iter().all(|file| file.ends_with(".t1.nc") || file.ends_with(".t2.nc")), "{files:?}");
+    let (files, said) =
+        built("nc-fanuc", "router3(dialect: fanuc, allowance: 0.3mm)", "fixing: onion_skin(0.5mm)");
+    assert_eq!(files.len(), 16, "{said}");
+}
+
+#[test]
+fn a_board_that_cannot_be_held_or_reached_is_refused_with_what_would_mend_it() {
+    let cases = [
+        ("tabs", "router3()", "fixing: tabs(count: 70)", "70 tabs do not fit", "tabs or fewer"),
+        ("flute", "router3(flute: 8mm)", "", "its flutes are 8.000 mm long", "flutes of at least 12.5 mm"),
+        ("held", "router3()", "fixing: tabs(count: 4, width: 0mm)", "width of tabs is 0", "`vacuum()`"),
+    ];
+    for (name, machine, line, why, remedy) in cases {
+        let (files, said) = built(&format!("nc-refused-{name}"), machine, line);
+        assert!(files.is_empty() && said.contains(why) && said.contains(remedy), "{name}: {said}");
+    }
+}
+
+#[test]
+fn a_spare_cutter_takes_the_place_of_one_that_does_not_reach() {
+    let tool = |number: u32, flute: &str| {
+        format!(
+            "Tool(number: {number}, name: \"cutter {number}\", diameter: 6mm, flute: {flute}, feed: 3m/min, \
+             plunge: 1m/min, spindle: 16000rpm, step_down: 0.5mm)"
+        )
+    };
+    let machine = format!(
+        "Machine(name: \"own\", length: 2m, width: 1m, height: 100mm, cutter: {}, spare_cutters: [{}, {}], engraver: {})",
+        tool(1, "9mm"),
+        tool(3, "11mm"),
+        tool(4, "30mm"),
+        tool(2, "5mm").replace("diameter: 6mm", "diameter: 1mm"),
+    );
+    let (files, said) = built("nc-spare", &machine, "");
+    assert_eq!(files.len(), 16, "{said}");
+}

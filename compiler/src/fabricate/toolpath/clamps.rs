@@ -1,7 +1,7 @@
 //! No tool comes into a clamp: below its top, tools stay clear of it by their radius.
 
-use super::program::Step;
 use super::polygon::segment_distance;
+use super::program::Step;
 use super::{Refusal, Steps};
 use crate::fabricate::machine::Clamp;
 use glam::{DVec2, DVec3};

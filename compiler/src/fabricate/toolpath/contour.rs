@@ -41,12 +41,7 @@ struct Plan {
 ///
 /// # Errors
 /// `TooManyPasses` if more than 200 passes, or 10,000 sides in all, were needed; what `offset` and `tabs` refuse.
-pub(super) fn cut(
-    steps: &mut Steps,
-    outlines: &[Polygon],
-    part: usize,
-    stock: DVec2,
-) -> Result<(), Refusal> {
+pub(super) fn cut(steps: &mut Steps, outlines: &[Polygon], part: usize, stock: DVec2) -> Result<(), Refusal> {
     let (machine, outline) = (steps.machine, &outlines[part]);
     let (tool, spec) = (machine.cutter(), machine.spec());
     let radius = tool.diameter / 2.0;

@@ -1,8 +1,8 @@
 //! Leads: tangential arcs by which the tool comes to a contour from the waste side and leaves it to there. The tool
 //! never goes up or down on the contour's finished edge.
 
-use super::program::{Step, Turn};
 use super::polygon::Polygon;
+use super::program::{Step, Turn};
 use crate::fabricate::machine::{CutDirection, Machine};
 use glam::DVec2;
 

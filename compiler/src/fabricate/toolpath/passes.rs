@@ -56,7 +56,8 @@ pub(super) fn around(
     direction: CutDirection,
 ) -> Vec<Piece> {
     let side = path.sides[opening.edge];
-    let start = side.from + outline.direction(opening.edge) * (opening.at - along(outline, opening.edge, side.from));
+    let start =
+        side.from + outline.direction(opening.edge) * (opening.at - along(outline, opening.edge, side.from));
     let pieces = anticlockwise(path, opening.edge, start);
     match direction {
         CutDirection::Conventional => pieces,

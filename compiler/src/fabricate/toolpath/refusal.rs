@@ -81,14 +81,12 @@ impl fmt::Display for Refusal {
             Refusal::PartCount { count } => {
                 write!(f, "a sheet with {count} parts, must have from 1 to {MAX_PARTS}")
             }
-            Refusal::OutsideStock { room, needed } => write!(
-                f,
-                "lies {room:.3} mm from the edge of its sheet, the cutter needs {needed:.3} mm"
-            ),
-            Refusal::PartsTooClose { other, gap, needed } => write!(
-                f,
-                "lies {gap:.3} mm from part {other} of its sheet, the cutter needs {needed:.3} mm"
-            ),
+            Refusal::OutsideStock { room, needed } => {
+                write!(f, "lies {room:.3} mm from the edge of its sheet, the cutter needs {needed:.3} mm")
+            }
+            Refusal::PartsTooClose { other, gap, needed } => {
+                write!(f, "lies {gap:.3} mm from part {other} of its sheet, the cutter needs {needed:.3} mm")
+            }
             Refusal::SkinTooThick { skin, thickness } => {
                 write!(f, "an onion skin of {skin} mm is more than half of {thickness} mm")
             }

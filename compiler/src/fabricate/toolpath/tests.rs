@@ -134,16 +134,16 @@ fn every_other_refusal_has_its_own_reason() {
     type Spoil = fn(&mut CutJob, &mut crate::fabricate::machine::MachineSpec);
     use crate::fabricate::machine::{Clamp, Fixing};
     let cases: [(Spoil, &str); 16] = [
-        (|_, m| m.fixing = Fixing::OnionSkin { thickness: 7.0 }, "onion skin of 7 mm is more than half of 12"),
+        (
+            |_, m| m.fixing = Fixing::OnionSkin { thickness: 7.0 },
+            "onion skin of 7 mm is more than half of 12",
+        ),
         (|_, m| m.fixing = Fixing::Tabs { count: 4, width: 8.0, height: 13.0 }, "tabs 13 mm high are higher"),
         (
             |_, m| m.fixing = Fixing::Tabs { count: 90, width: 8.0, height: 3.0 },
             "90 tabs do not fit: one 8 mm wide takes 14 mm",
         ),
-        (
-            |_, m| m.fixing = Fixing::Tabs { count: 1, width: 300.0, height: 3.0 },
-            "there is room for 0",
-        ),
+        (|_, m| m.fixing = Fixing::Tabs { count: 1, width: 300.0, height: 3.0 }, "there is room for 0"),
         (
             |_, m| {
                 let (low, high) = (DVec2::new(0.0, 220.0), DVec2::new(10.5, 250.0));

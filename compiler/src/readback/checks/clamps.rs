@@ -21,9 +21,8 @@ pub(super) fn check(trace: &Trace, expected: &Expected, faults: &mut Vec<Fault>)
             let radius = tool.map_or(0.0, |tool| tool.diameter / 2.0);
             let from = DVec2::new(m.from[0].unwrap_or(x), m.from[1].unwrap_or(y));
             let path = m.piece().map_or_else(|| vec![from, DVec2::new(x, y)], |piece| piece.flat());
-            let touches = |a: DVec2, b: DVec2| {
-                inside(a, &corners) || to_boundary((a, b), &corners) < radius - 0.002
-            };
+            let touches =
+                |a: DVec2, b: DVec2| inside(a, &corners) || to_boundary((a, b), &corners) < radius - 0.002;
             if path.windows(2).any(|pair| touches(pair[0], pair[1])) {
                 let message = format!("a tool of radius {radius:.3} at Z {lowest:.3} touches clamp {index}");
                 faults.push(Fault::measured(FaultKind::Clamp, m.line, lowest, message));

@@ -13,7 +13,8 @@ pub(super) fn check(
     expected: &Expected,
     faults: &mut Vec<Fault>,
 ) {
-    let mut reader = Reader { faults, line: first_line, fold: expected.machine.spec().dialect.profile().comment.capitals };
+    let mut reader =
+        Reader { faults, line: first_line, fold: expected.machine.spec().dialect.profile().comment.capitals };
     let parts = entries.iter().position(|entry| entry.key == "address").unwrap_or(entries.len());
     let (whole, rest) = entries.split_at(parts);
     reader.whole(whole, expected);

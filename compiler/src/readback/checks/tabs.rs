@@ -46,7 +46,8 @@ pub(in crate::readback) fn check(
         }
         let u = (bridge.to - bridge.from) / bridge.from.distance(bridge.to);
         let middle = (bridge.from + u * radius, bridge.to - u * radius);
-        let into = |cut: &&Cut| cut.lowest() < top - HEIGHT && reach(cut, middle) < radius - OUTLINE_TOLERANCE;
+        let into =
+            |cut: &&Cut| cut.lowest() < top - HEIGHT && reach(cut, middle) < radius - OUTLINE_TOLERANCE;
         if let Some(cut) = contour.iter().find(into) {
             faults.push(Fault::new(FaultKind::Tabs, cut.made.line, "cuts into a tab"));
         }

@@ -8,8 +8,11 @@ fn machines() -> impl Strategy<Value = MachineSpec> {
     let stock = (0.0..20.0_f64, 0.0..1.0_f64, 5.0..40.0_f64);
     let fixing = prop_oneof![
         Just(Fixing::Held),
-        (1..6_u32, 3.0..9.0_f64, 0.5..3.0_f64)
-            .prop_map(|(count, width, height)| Fixing::Tabs { count, width, height }),
+        (1..6_u32, 3.0..9.0_f64, 0.5..3.0_f64).prop_map(|(count, width, height)| Fixing::Tabs {
+            count,
+            width,
+            height
+        }),
         (0.1..1.5_f64).prop_map(|thickness| Fixing::OnionSkin { thickness }),
     ];
     let allowance = prop_oneof![Just(0.0), 0.05..1.0_f64];

@@ -135,7 +135,8 @@ const OTHERS: &[(fn() -> MachineSpec, &[Seed])] = &[
         Seed { kind: FaultKind::Tabs, spoil: |t| first_tab(t, |_| String::new()) },
         Seed { kind: FaultKind::Tabs, spoil: |t| first_tab(t, |lines| format!("G1 Z-9.000\n{}", narrower(lines[1])) + "\nG1 Z-12.500 F1200.000\n") },
         Seed { kind: FaultKind::Tabs, spoil: |t| swap(t, "G0 Z20.000\nM5\nM2", &through_a_tab(t)) },
-        Seed { kind: FaultKind::Uncut, spoil: |t| t.replace("Z-12.500", "Z-9.000") },
+        // All around at the tabs' height.
+        Seed { kind: FaultKind::Tabs, spoil: |t| t.replace("Z-12.500", "Z-9.000") },
         Seed { kind: FaultKind::Header, spoil: |t| swap(t, "width 8.000", "width 9.000") },
     ]),
     (with_skin, &[
@@ -274,7 +275,10 @@ fn sets_of_files_are_judged_as_one() {
     let fault = read_back_set(&texts(&spoilt), &expected).unwrap_err().remove(0);
     let line = spoilt[1].text.lines().position(|l| l.starts_with("G1")).unwrap() + 1;
     assert_eq!((fault.tool, fault.line), (Some(1), line));
-    assert!(fault.to_string().starts_with(&format!("file of tool 1, line {line}: spindle at 60000")), "{fault}");
+    assert!(
+        fault.to_string().starts_with(&format!("file of tool 1, line {line}: spindle at 60000")),
+        "{fault}"
+    );
 }
 
 #[test]

@@ -4,8 +4,7 @@ use super::*;
 use crate::fabricate::cut_job::{Placed, Rotation, Sheet};
 use crate::fabricate::toolpath::sheet;
 
-const ROTATIONS: [Rotation; 4] =
-    [Rotation::None, Rotation::Quarter, Rotation::Half, Rotation::ThreeQuarters];
+const ROTATIONS: [Rotation; 4] = [Rotation::None, Rotation::Quarter, Rotation::Half, Rotation::ThreeQuarters];
 
 fn jobs() -> Vec<CutJob> {
     let shapes: [&[(f64, f64)]; 4] = [
