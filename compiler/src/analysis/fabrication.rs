@@ -9,6 +9,7 @@ use super::measures;
 use super::placed::{FigureGeometry, figure_geometry};
 use super::requirements::{LimitValue, RequirementResult, evaluate_limit};
 use super::settings::SettingValue;
+use super::watch::Watch;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Panel, PanelSettings, RefusedPanel};
@@ -19,7 +20,7 @@ use crate::hir::schema::SchemaKind;
 use crate::hir::tree::{Fabricate, Hir};
 use crate::plan::FigurePlan;
 use crate::plan::lower::Lowered;
-use crate::planarize::{Outcome, Perturbation};
+use crate::planarize::{Method, Outcome};
 use glam::DVec3;
 
 /// What a fabricate block makes.
@@ -52,7 +53,7 @@ pub struct PanelsMade {
     /// How they were asked for.
     pub settings: PanelSettings,
     /// How they were planarized, if they were.
-    pub perturbation: Option<Perturbation>,
+    pub planarizing: Option<Method>,
     /// The surfaces, in order.
     pub figures: Vec<PanelFigure>,
     /// All boards, surface by surface.
@@ -110,8 +111,10 @@ pub(super) fn fabricate(
     evaluator: &mut Evaluator<'_>,
     plan: &Lowered,
     block: &Fabricate,
+    watch: &mut dyn Watch,
 ) -> (Option<Fabrication>, Vec<Diagnostic>) {
-    let mut work = Work { hir, plan, block, scale: 1.0, settings: Vec::new(), diagnostics: Vec::new() };
+    let mut work =
+        Work { hir, plan, block, watch, scale: 1.0, settings: Vec::new(), diagnostics: Vec::new() };
     let made = work.run(evaluator);
     (made, work.diagnostics)
 }
@@ -120,6 +123,7 @@ struct Work<'a> {
     hir: &'a Hir,
     plan: &'a Lowered,
     block: &'a Fabricate,
+    watch: &'a mut dyn Watch,
     scale: f64,
     settings: Vec<SettingValue>,
     diagnostics: Vec<Diagnostic>,

@@ -2,7 +2,7 @@
 //! their ranges, and with other levels, and what then holds is said.
 
 use super::fabrication::{Elements, Fabrication};
-use super::{Evaluated, evaluate};
+use super::{Evaluated, Unwatched, evaluate};
 use crate::hir::evaluate::{Evaluator, Overrides, words};
 use crate::hir::scalar::Scalar;
 use crate::hir::schema::Measure;
@@ -32,7 +32,7 @@ impl<'a> Remedies<'a> {
     pub(super) fn new(hir: &'a Hir, overrides: &'a Overrides, evaluated: &Evaluated) -> Self {
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let planarized = evaluated.fabrications.iter().any(|made| match &made.elements {
-            Elements::Panels(panels) => panels.perturbation.is_some(),
+            Elements::Panels(panels) => panels.planarizing.is_some(),
             Elements::Planks(_) => false,
         });
         Remedies { hir, overrides, elements: counts.map(|count| count.elements).sum(), planarized }
@@ -138,7 +138,7 @@ impl<'a> Remedies<'a> {
 
     /// Whether the requirement at `place` holds with these overrides, and with it all others; `None` where it does not.
     fn holds(&self, overrides: &Overrides, figure: &str, place: usize) -> Option<bool> {
-        let evaluated = evaluate(self.hir, overrides, false);
+        let evaluated = evaluate(self.hir, overrides, false, &mut Unwatched);
         let error = crate::diagnostic::Severity::Error;
         if evaluated.diagnostics.iter().any(|diagnostic| diagnostic.severity() == error) {
             return None;
@@ -158,9 +158,9 @@ fn flatter(fabrication: &Fabrication, place: usize) -> Option<String> {
     if fabrication.requirements.get(place)?.measure != Measure::Planarity {
         return None;
     }
-    match &panels.perturbation {
+    match &panels.planarizing {
         None => Some("add `planarize: {}`: it moves vertices until the quads are flat enough".to_owned()),
-        Some(options) if options.pin == Pin::Boundary => {
+        Some(method) if method.pin() == Pin::Boundary => {
             Some("the border is held in place: `pin: corners` or `pin: none` lets it move".to_owned())
         }
         Some(_) => None,

@@ -172,6 +172,8 @@ codes! {
     E0813 Error "`require mitre` fails",
     E0814 Error "`require overlap` fails",
     E0815 Error "`require bend radius` fails",
+    E0820 Error "a setting of the other method of planarizing",
+    W0826 Warning "planarizing moved vertices far",
 
     // NC programs.
     E0901 Error "an NC program that cannot be made",

@@ -50,7 +50,7 @@ impl ChoiceKind {
         const ENDS: &[Word] = &[now("square"), now("mitred")];
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];
-        const METHOD: &[Word] = &[now("perturbation"), later("projection")];
+        const METHOD: &[Word] = &[now("perturbation"), now("projection")];
         match self {
             ChoiceKind::Side => SIDE,
             ChoiceKind::Grain => GRAIN,

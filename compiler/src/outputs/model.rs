@@ -13,7 +13,7 @@ use crate::geometry::QuadMesh;
 use crate::hir::schema::Measure;
 use crate::hir::tree::ItemId;
 use crate::plan::evaluate::PiecesEvaluator;
-use crate::planarize::Perturbation;
+use crate::planarize::{Method, Projection};
 use glam::DVec3;
 use std::io;
 
@@ -131,8 +131,8 @@ fn required(made: &Fabrication, panels: &PanelsMade) -> f64 {
         }
         _ => None,
     });
-    let aim = panels.perturbation.as_ref().map(|options| options.threshold);
-    least.or(aim).unwrap_or_else(|| Perturbation::default().threshold)
+    let aim = panels.planarizing.as_ref().map(Method::threshold);
+    least.or(aim).unwrap_or_else(|| Projection::default().threshold)
 }
 
 /// `shell.ifs:12`
