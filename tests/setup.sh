@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Installs by package name what the tests need beside Rust: the foreign referees of what ifs writes.
-#   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv, g++, libosd-dev (OpenSubdiv, into target/referees)
+#   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv, g++, libosd-dev (OpenSubdiv, into target/referees),
+#           chromium with fonts-liberation, poppler-utils (pdfinfo, pdftotext), librsvg2-bin (rsvg-convert),
+#           zbar-tools (zbarimg)
 #   npm     gltf-validator                             into tests/referees/node_modules
-#   PyPI    geomdl numpy scipy shapely trimesh         into target/referees
+#   PyPI    compas_timber ezdxf geomdl numpy scipy shapely trimesh, into target/referees
 # Quick when everything is there. As root on Debian it installs packages; otherwise it says which are missing and fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -17,9 +19,13 @@ fi
 install_debian_packages() {
     local missing=()
     command -v rs274 >/dev/null || missing+=(linuxcnc-uspace)
+    command -v chromium >/dev/null || missing+=(chromium fonts-liberation)
+    command -v pdftotext >/dev/null || missing+=(poppler-utils)
     command -v node >/dev/null || missing+=(nodejs)
     command -v npm >/dev/null || missing+=(npm)
     command -v cc >/dev/null || missing+=(gcc libc6-dev)
+    command -v rsvg-convert >/dev/null || missing+=(librsvg2-bin)
+    command -v zbarimg >/dev/null || missing+=(zbar-tools)
     command -v g++ >/dev/null || missing+=(g++)
     [ -e /usr/include/opensubdiv/far/primvarRefiner.h ] || missing+=(libosd-dev)
     python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3 python3-venv)

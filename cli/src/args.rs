@@ -74,6 +74,11 @@ pub struct Build {
     /// Make only these outputs, separated by commas; all files where it is not given
     #[arg(long, value_enum, value_delimiter = ',', value_name = "OUTPUT")]
     pub emit: Vec<Emit>,
+
+    /// Make programs, drawings, list rows and labels only of boards whose address or alias fits; `*` stands for any
+    /// characters, `?` for one; may be repeated
+    #[arg(long, value_name = "PATTERN")]
+    pub only: Vec<String>,
 }
 
 /// `ifs fmt`.
@@ -158,8 +163,16 @@ pub enum Emit {
     Glb,
     /// Machine programs, boards/*.nc
     Nc,
-    /// Lists: cutlist.csv, planarity.csv
+    /// Drawings of boards, boards/*.dxf
+    Dxf,
+    /// Parts for timber machines, model.btlx
+    Btlx,
+    /// Lists: cutlist.csv, assembly.csv, planarity.csv
     Csv,
+    /// Labels with QR codes, labels.svg
+    Svg,
+    /// The report for people, report.html
+    Html,
     /// The report for programs, report.json
     Json,
     /// The plan, printed on the standard output

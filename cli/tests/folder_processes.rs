@@ -63,7 +63,7 @@ fn build(target: &Path, exchange: Exchange, generation: u32) -> Result<(), Folde
         (0..50_000).try_for_each(|_| writeln!(out, "{generation}"))
     })?;
     let parameters = BTreeMap::from([("generation".to_owned(), generation.to_string())]);
-    let done = staging.commit(&Provenance { sources: Vec::new(), parameters })?;
+    let done = staging.commit(&Provenance { sources: Vec::new(), parameters, ..Provenance::default() })?;
     done.leftover.map_or(Ok(()), Err)
 }
 

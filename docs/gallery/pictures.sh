@@ -29,6 +29,7 @@ draw surfaces surfaces 14 26 'surface=#d9d4c8'
 draw fern fern 0 90 'plant=#2f5d34'
 draw de_casteljau de_casteljau 0 90 'hulls=#f0dcb4' 'steps=#8c3b1e'
 draw vault vault 48 24
+draw boathouse boathouse 35 18
 draw steps steps 20 42
 draw saddle saddle 20 32 'saddle.*=none' 'along=#c9a06a' 'other=#e6cfa6'
 draw shell shell 35 30 planarized

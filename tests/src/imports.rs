@@ -8,6 +8,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
     ("exact", &[]),
     ("source", &[]),
     ("geometry", &[]),
+    ("gltf", &[]),
     ("diagnostic", &["source"]),
     ("syntax", &["source", "diagnostic", "exact"]),
     ("ifs", &["exact"]),
@@ -23,6 +24,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
             "exact",
             "source",
             "geometry",
+            "gltf",
             "diagnostic",
             "syntax",
             "ifs",
@@ -55,6 +57,7 @@ pub const SEAMS: &[(&str, &str)] = &[
     ("chumsky", "syntax"),
     ("ariadne", "diagnostic"),
     ("gltf_json", "export"),
+    ("qrcode", "export"),
     ("toml", "analysis"),
 ];
 

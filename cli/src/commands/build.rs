@@ -4,12 +4,18 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use ifs_compiler::analysis::Analysis;
-use ifs_compiler::outputs::{Output, Selection, outputs, parameter_texts, project_sources};
+use ifs_compiler::diagnostic::Diagnostic;
+use ifs_compiler::outputs::{
+    DIAGNOSTICS, Format, LeftOut, Output, Selection, board_names, diagnostics_json, outputs, parameter_texts,
+    project_sources,
+};
 
 use super::{table, tell};
 use crate::args::{Build, Emit, MessageFormat};
 use crate::exit::Exit;
-use crate::folder::{Committed, Exchange, FolderError, OutputFolder, Provenance, SourceRecord};
+use crate::folder::{
+    Committed, Exchange, FolderError, LeftOutRecord, OutputFolder, Provenance, SourceRecord, Staging,
+};
 use crate::output;
 use crate::project::{Analysed, Project};
 
@@ -20,8 +26,10 @@ pub fn build(build: &Build, format: MessageFormat) -> Exit {
         Err(exit) => return exit,
     };
     let Analysed { analysis, sources, exit } = project.analyse(&build.settings, format);
+    let out = build.out.clone().unwrap_or_else(|| project.out(&analysis.design_name()));
+    let selection = Selection { formats: formats(&build.emit), only: build.only.clone() };
     if exit != Exit::Good {
-        return exit;
+        return failed(exit, &selection, &out, &analysis, &analysis.diagnostics);
     }
     if build.emit.contains(&Emit::Plan)
         && let Some(lowered) = &analysis.plan
@@ -29,44 +37,111 @@ pub fn build(build: &Build, format: MessageFormat) -> Exit {
     {
         return exit;
     }
-    let selection = selection(&build.emit);
-    if selection.is_empty() {
+    if let Some(pattern) = selection.without_boards(&analysis) {
+        return nothing_fits(pattern, &analysis);
+    }
+    if selection.formats.is_empty() {
         return Exit::Good;
     }
-    let made = outputs(&analysis, selection);
+    let made = outputs(&analysis, &selection);
     let told = tell(&made.diagnostics, &sources, format);
     if told.exit != Exit::Good {
-        return told.exit;
+        let all: Vec<Diagnostic> = analysis.diagnostics.iter().chain(&made.diagnostics).cloned().collect();
+        return failed(told.exit, &selection, &out, &analysis, &all);
     }
-    let out = build.out.clone().unwrap_or_else(|| project.out(&analysis.design_name()));
-    match write(&out, &analysis, &made.files) {
+    match write(&out, &analysis, &made.files, selection.left_out(&analysis)) {
         Ok(committed) => finish(&analysis, &committed, &out, format),
-        Err(error) => {
-            output::message(&format!("error: {error}\n"));
-            Exit::InputOutput
-        }
+        Err(error) => not_written(&error),
     }
+}
+
+fn not_written(error: &FolderError) -> Exit {
+    output::message(&format!("error: {error}\n"));
+    Exit::InputOutput
+}
+
+/// Leaves in the output folder what a build said that failed; the files of the build before stay as they are. Nothing is
+/// written where no files were asked for, or where the design could not even be read.
+fn failed(
+    exit: Exit,
+    selection: &Selection,
+    out: &Path,
+    analysis: &Analysis,
+    diagnostics: &[Diagnostic],
+) -> Exit {
+    if selection.formats.is_empty() || !matches!(exit, Exit::Design | Exit::Limit) {
+        return exit;
+    }
+    let said = diagnostics_json(diagnostics, &analysis.sources, true);
+    match write_failure(out, analysis, &said) {
+        Ok(()) => exit,
+        Err(error) => not_written(&error),
+    }
+}
+
+fn write_failure(out: &Path, analysis: &Analysis, said: &str) -> Result<(), FolderError> {
+    let mut staging = stage(out)?;
+    let before = staging.keep_set(DIAGNOSTICS)?;
+    staging.write(DIAGNOSTICS, "diagnostics", None, said.as_bytes())?;
+    staging.commit(&before.unwrap_or_else(|| Provenance { failed: true, ..provenance(analysis) }))?;
+    Ok(())
+}
+
+fn stage(out: &Path) -> Result<Staging, FolderError> {
+    let mut waiting = || output::message(&format!("waiting for another build of {}\n", out.display()));
+    OutputFolder::stage_with(out, Exchange::System, &mut waiting)
+}
+
+/// The sources and parameters of a design, with nothing left out.
+fn provenance(analysis: &Analysis) -> Provenance {
+    let sources = project_sources(analysis);
+    let sources = sources.iter().map(|(path, bytes)| SourceRecord::of(path, bytes)).collect();
+    let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
+    Provenance { sources, parameters, ..Provenance::default() }
 }
 
 /// What `--emit` asks for; everything where it is not given.
-fn selection(emit: &[Emit]) -> Selection {
+fn formats(emit: &[Emit]) -> Vec<Format> {
     if emit.is_empty() {
-        return Selection::ALL;
+        return Format::ALL.to_vec();
     }
-    let wants = |which: Emit| emit.contains(&which);
-    Selection { glb: wants(Emit::Glb), nc: wants(Emit::Nc), csv: wants(Emit::Csv), json: wants(Emit::Json) }
+    let asked = |format: Format| match format {
+        Format::Glb => emit.contains(&Emit::Glb),
+        Format::Nc => emit.contains(&Emit::Nc),
+        Format::Dxf => emit.contains(&Emit::Dxf),
+        Format::Btlx => emit.contains(&Emit::Btlx),
+        Format::Svg => emit.contains(&Emit::Svg),
+        Format::Csv => emit.contains(&Emit::Csv),
+        Format::Html => emit.contains(&Emit::Html),
+        Format::Json => emit.contains(&Emit::Json),
+    };
+    Format::ALL.into_iter().filter(|format| asked(*format)).collect()
 }
 
-fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed, FolderError> {
-    let mut waiting = || output::message(&format!("waiting for another build of {}\n", out.display()));
-    let mut staging = OutputFolder::stage_with(out, Exchange::System, &mut waiting)?;
+/// Says that a pattern of `--only` fits no board, and what the boards are called.
+fn nothing_fits(pattern: &str, analysis: &Analysis) -> Exit {
+    let names = board_names(analysis);
+    let known = match names.first() {
+        Some((address, alias)) => {
+            format!("it has {} boards, the first is {address}, {alias} for short", names.len())
+        }
+        None => "it makes no boards".to_owned(),
+    };
+    output::message(&format!("error: no board of the design fits `--only {pattern}`: {known}\n"));
+    Exit::Usage
+}
+
+fn write(
+    out: &Path,
+    analysis: &Analysis,
+    files: &[Output],
+    left_out: LeftOut,
+) -> Result<Committed, FolderError> {
+    let mut staging = stage(out)?;
     for file in files {
         staging.write_with(&file.path, file.kind, file.address.as_deref(), |out| file.write(out))?;
     }
-    let sources = project_sources(analysis);
-    let sources = sources.iter().map(|(path, text)| SourceRecord::of(path, text.as_bytes())).collect();
-    let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
-    staging.commit(&Provenance { sources, parameters })
+    staging.commit(&Provenance { left_out: LeftOutRecord::of(left_out), ..provenance(analysis) })
 }
 
 fn finish(analysis: &Analysis, committed: &Committed, out: &Path, format: MessageFormat) -> Exit {
@@ -79,6 +154,6 @@ fn finish(analysis: &Analysis, committed: &Committed, out: &Path, format: Messag
     if format == MessageFormat::Json {
         return Exit::Good;
     }
-    let files = committed.manifest.files.len() + 1;
-    output::data(&table::table(analysis, files, out)).err().unwrap_or(Exit::Good)
+    let files: Vec<&str> = committed.manifest.files.iter().map(|file| file.path.as_str()).collect();
+    output::data(&table::table(analysis, &files, out)).err().unwrap_or(Exit::Good)
 }

@@ -1,14 +1,15 @@
 //! The short table at the end of a build: elements, sizes, planarity before and after, files, where.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use ifs_compiler::analysis::{Analysis, Elements, Fabrication, PanelsMade, PlanksMade};
+use ifs_compiler::analysis::{Analysis, Elements, Fabrication, PanelsMade, PlanksMade, value_words};
 use ifs_compiler::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 use ifs_compiler::planarize::Method;
 
 /// The table, with a final line end.
-pub(super) fn table(analysis: &Analysis, files: usize, out: &Path) -> String {
+pub(super) fn table(analysis: &Analysis, files: &[&str], out: &Path) -> String {
     let mut text = String::new();
     if let Some(lowered) = &analysis.plan {
         let counted = lowered.plan.figures().iter().zip(&lowered.counts).zip(&lowered.extents);
@@ -26,8 +27,41 @@ pub(super) fn table(analysis: &Analysis, files: usize, out: &Path) -> String {
     for made in &analysis.fabrications {
         fabrication(&mut text, made);
     }
-    row(&mut text, "files", &format!("{files} in {}", out.display()));
+    // The manifest is one more.
+    row(&mut text, "files", &format!("{} in {}", files.len() + 1, out.display()));
+    for line in file_lines(files) {
+        row(&mut text, "", &line);
+    }
     text
+}
+
+/// The files by their names, those of folders and numbered ones counted: `96 boards/*.nc, 96 boards/*.dxf`, and on a line
+/// of their own `cutlist.csv, 4 labels*.svg, model.glb`.
+fn file_lines(files: &[&str]) -> Vec<String> {
+    let mut groups: BTreeMap<(bool, String), usize> = BTreeMap::new();
+    for file in files.iter().chain(&["manifest.json"]) {
+        let (stem, ending) = file.rsplit_once('.').unwrap_or((file, ""));
+        let key = match file.rsplit_once('/') {
+            Some((folder, _)) => (false, format!("{folder}/*.{ending}")),
+            None => {
+                let number = |digits: &str| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+                let numbered = stem.rsplit_once('-').filter(|(_, digits)| number(digits));
+                let name = numbered.map_or(stem, |(name, _)| name);
+                (true, format!("{name}.{ending}"))
+            }
+        };
+        *groups.entry(key).or_default() += 1;
+    }
+    let line = |single: bool| {
+        let group = groups.iter().filter(|((kind, _), _)| *kind == single);
+        let words = group.map(|((_, name), count)| match (single, count) {
+            (true, 1) => name.clone(),
+            (true, count) => format!("{count} {}", name.replacen('.', "*.", 1)),
+            (false, count) => format!("{count} {name}"),
+        });
+        words.collect::<Vec<_>>().join(", ")
+    };
+    [line(false), line(true)].into_iter().filter(|line| !line.is_empty()).collect()
 }
 
 /// What is said of surfaces whose quads are planar whatever their control points are.
@@ -47,12 +81,13 @@ fn fabrication(text: &mut String, made: &Fabrication) {
         row(text, "  scale", &format!("{}, sizes are those of the model", scale_words(made.scale)));
     }
     for requirement in &made.requirements {
-        let limit = requirement.limit.words(requirement.measure);
-        row(
-            text,
-            "  require",
-            &format!("{} {limit}: holds for {}", requirement.measure.words(), requirement.result.total),
-        );
+        let (measure, result) = (requirement.measure, &requirement.result);
+        let limit = requirement.limit.words(measure);
+        let found = result.extremes.map_or_else(String::new, |(least, most)| {
+            let (least, most) = (value_words(measure, least), value_words(measure, most));
+            if least == most { format!(", {least}") } else { format!(", {least} .. {most}") }
+        });
+        row(text, "  require", &format!("{} {limit}: holds for {}{found}", measure.words(), result.total));
     }
 }
 

@@ -137,7 +137,7 @@ fn link_tree(
 
 /// A second name for a file (or link, or pipe) that is no folder; a copy where the file system has no second names or
 /// the file is another user's.
-fn link(source: &Path, copy: &Path) -> io::Result<()> {
+pub(super) fn link(source: &Path, copy: &Path) -> io::Result<()> {
     match fs::hard_link(source, copy) {
         // Another file system is mounted in the folder: copying it, and then removing the original, is not ours to do.
         Err(error) if error.kind() == io::ErrorKind::CrossesDevices => Err(error),

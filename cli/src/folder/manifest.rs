@@ -10,6 +10,7 @@ use sha2::{Digest, Sha256};
 
 use super::FolderError;
 use super::names::{MANIFEST, check_relative};
+use ifs_compiler::outputs::LeftOut;
 use ifs_compiler::outputs::names::hex;
 
 /// The version of the manifest's shape; it grows when a reader of the older shape would misread the newer.
@@ -25,6 +26,32 @@ pub struct Provenance {
     pub sources: Vec<SourceRecord>,
     /// The values of all parameters, as text in the language.
     pub parameters: BTreeMap<String, String>,
+    /// What was not made though it could be; none where everything was.
+    pub left_out: Option<LeftOutRecord>,
+    /// Whether the last build failed: then only what it said is new, and the rest is of the build before.
+    pub failed: bool,
+}
+
+/// What a build was asked to leave out.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct LeftOutRecord {
+    /// The outputs that `--emit` did not name.
+    pub outputs: Vec<String>,
+    /// The patterns of `--only`, one of which a board had to fit.
+    pub only: Vec<String>,
+    /// How many boards fitted none of them.
+    pub boards: u64,
+}
+
+impl LeftOutRecord {
+    /// The record of what was left out, if anything was.
+    pub fn of(left_out: LeftOut) -> Option<LeftOutRecord> {
+        if left_out == LeftOut::default() {
+            return None;
+        }
+        let outputs = left_out.formats.into_iter().map(str::to_owned).collect();
+        Some(LeftOutRecord { outputs, only: left_out.only, boards: left_out.boards as u64 })
+    }
 }
 
 /// One source.
@@ -72,6 +99,12 @@ pub struct Manifest {
     pub sources: Vec<SourceRecord>,
     /// The values of all parameters.
     pub parameters: BTreeMap<String, String>,
+    /// What was not made though it could be; absent where everything was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left_out: Option<LeftOutRecord>,
+    /// Whether the last build failed: then `diagnostics.json` says why, and all else is of the build before it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub failed: bool,
     /// Every file but the manifest itself.
     pub files: Vec<FileRecord>,
 }
@@ -87,6 +120,8 @@ impl Manifest {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             sources,
             parameters: provenance.parameters.clone(),
+            left_out: provenance.left_out.clone(),
+            failed: provenance.failed,
             files: files.into_values().collect(),
         }
     }

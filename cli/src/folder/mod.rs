@@ -17,6 +17,7 @@
 mod error;
 mod foreign;
 mod hashed;
+mod keep;
 mod lock;
 mod manifest;
 mod names;
@@ -27,7 +28,7 @@ mod staging;
 use std::path::Path;
 
 pub use error::FolderError;
-pub use manifest::{FileRecord, Manifest, Provenance, SourceRecord, verify};
+pub use manifest::{FileRecord, LeftOutRecord, Manifest, Provenance, SourceRecord, verify};
 pub use replace::Exchange;
 pub use staging::{Committed, Staging};
 

@@ -19,9 +19,9 @@ const FLUSHED_ONE_BY_ONE: usize = 16;
 /// A set of outputs in the making. Dropped without a commit it leaves no trace.
 #[derive(Debug)]
 pub struct Staging {
-    place: Place,
+    pub(super) place: Place,
     exchange: Exchange,
-    files: BTreeMap<String, FileRecord>,
+    pub(super) files: BTreeMap<String, FileRecord>,
     folders: BTreeSet<PathBuf>,
     /// Files that are written but perhaps not on the disk yet.
     unflushed: Vec<PathBuf>,
@@ -111,7 +111,7 @@ impl Staging {
     }
 
     /// Makes the folders between the staging folder and a file.
-    fn make_folders(&mut self, path: &Path) -> Result<(), FolderError> {
+    pub(super) fn make_folders(&mut self, path: &Path) -> Result<(), FolderError> {
         let Some(parent) = path.parent() else { return Ok(()) };
         if self.folders.contains(parent) {
             return Ok(());

@@ -17,9 +17,9 @@ mod testing;
 mod watch;
 
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
-pub use load::{Library, MOST_BYTES, MOST_FILES, ProjectFile};
+pub use load::{Library, MOST_BYTES, MOST_FILES, MeshFile, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry, piece_labels};
-pub use requirements::{LimitValue, RequirementResult};
+pub use requirements::{LimitValue, RequirementResult, value_words};
 pub(crate) use settings::{field, number, text};
 pub use single::{SingleText, single};
 pub use testing::{TestResult, Verdict, run_tests};
@@ -43,6 +43,8 @@ pub struct Analysis {
     pub root: FileId,
     /// The files of the project that the design is made of: its own first, then those it uses as they are met.
     pub files: Vec<ProjectFile>,
+    /// The meshes that they import, as they are met.
+    pub meshes: Vec<MeshFile>,
     /// Its typed tree.
     pub hir: Hir,
     /// What every name stands for and every expression is; empty unless it was read for an editor.
@@ -150,6 +152,7 @@ fn read_by(
         sources: loaded.sources,
         root,
         files: loaded.files,
+        meshes: loaded.meshes,
         hir,
         index,
         parameters: Vec::new(),
@@ -168,6 +171,7 @@ fn modules<'a>(files: &'a [ProjectFile], library: &'a Library) -> Vec<ModuleSour
         file: file.file,
         ast: &file.parse.ast,
         uses: &file.uses,
+        imports: &file.imports,
         complete: file.readable && !file.parse.diagnostics.iter().any(cascades::breaks),
     });
     let library = library.modules().map(|(name, file, ast)| ModuleSource {
@@ -176,6 +180,7 @@ fn modules<'a>(files: &'a [ProjectFile], library: &'a Library) -> Vec<ModuleSour
         file,
         ast,
         uses: &[],
+        imports: &[],
         complete: true,
     });
     own.chain(library).collect()
@@ -207,11 +212,11 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch)
     }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
     if mend {
-        let remedies = mend::Remedies::new(hir, overrides, &evaluated);
+        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated);
         let failed: Vec<Diagnostic> = evaluated
             .fabrications
             .iter()
-            .flat_map(|fabrication| requirements::diagnostics(fabrication, &remedies))
+            .flat_map(|fabrication| requirements::diagnostics(fabrication, &mut remedies))
             .collect();
         diagnostics.extend(failed);
     }

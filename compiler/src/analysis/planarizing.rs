@@ -9,13 +9,20 @@ use crate::source::Span;
 /// The settings that the perturbation alone has.
 const OF_PERTURBATION: [&str; 5] = ["worst", "average", "select", "step", "move"];
 
-/// The method asked for; `goal` is the block's `require planarity`.
-pub(super) fn planarizing(settings: &Value, span: Span, goal: Option<f64>) -> Result<Method, Diagnostic> {
+/// What the block's requirements ask planarizing for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goals {
+    pub(super) planarity: Option<f64>,
+    pub(super) diagonal_ratio: Option<f64>,
+}
+
+/// The method asked for.
+pub(super) fn planarizing(settings: &Value, span: Span, goals: Goals) -> Result<Method, Diagnostic> {
     let given =
         Given { settings: if let Value::Settings(settings) = settings { settings } else { &[] }, span };
     match choice(given.find("method")) {
-        Some(1) => given.projection(goal).map(Method::Projection),
-        _ => given.perturbation(goal).map(Method::Perturbation),
+        Some(1) => given.projection(goals).map(Method::Projection),
+        _ => given.perturbation(goals.planarity).map(Method::Perturbation),
     }
 }
 
@@ -67,7 +74,7 @@ impl Given<'_> {
         Perturbation::try_new(given).map_err(|error| self.wrong(&error))
     }
 
-    fn projection(&self, goal: Option<f64>) -> Result<Projection, Diagnostic> {
+    fn projection(&self, goals: Goals) -> Result<Projection, Diagnostic> {
         if let Some((name, _, span)) = OF_PERTURBATION.iter().find_map(|name| self.find(name)) {
             let message =
                 format!("`{name}` is a setting of `method: perturbation`; `projection` has no use for it");
@@ -78,8 +85,9 @@ impl Given<'_> {
         }
         let default = Projection::default();
         let given = Projection {
-            threshold: self.number("threshold", goal.unwrap_or(default.threshold)),
-            diagonal_ratio: None,
+            threshold: self.number("threshold", goals.planarity.unwrap_or(default.threshold)),
+            // A ratio of 0 or less cannot be aimed at; that it fails is said where it is required.
+            diagonal_ratio: goals.diagonal_ratio.filter(|most| *most > 0.0),
             iterations: self.iterations(default.iterations)?,
             pin: self.pin(default.pin),
         };

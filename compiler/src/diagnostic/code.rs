@@ -130,6 +130,9 @@ codes! {
     E0553 Error "`each until` where elements are joined",
     E0554 Error "elements that have no such size",
     E0555 Error "a mesh whose faces do not fit its points",
+    E0556 Error "a file that gives no mesh",
+    E0557 Error "the path of a mesh that is not written out",
+    E0558 Error "a mesh beyond a limit",
 
     // Boundaries and stated joins.
     E0540 Error "a join names what is not there",
@@ -137,7 +140,7 @@ codes! {
     E0542 Error "a stated join does not hold",
     E0543 Error "a join of things that cannot be compared",
     E0544 Error "a stated join could not be proved",
-    E0545 Error "a join leaves open which piece of a boundary is meant",
+    E0545 Error "a join leaves open which piece is meant",
     W0546 Warning "a join holds only to within rounding",
 
     // Values.
@@ -148,6 +151,7 @@ codes! {
     E0605 Error "an unknown parameter is set",
     E0606 Error "a text that is no value of the parameter's type",
     E0607 Error "a range that is empty or has no end",
+    W0608 Warning "a requirement that measures nothing",
 
     // Limits.
     E0701 Error "more elements than the limit",
@@ -172,8 +176,22 @@ codes! {
     E0813 Error "`require mitre` fails",
     E0814 Error "`require overlap` fails",
     E0815 Error "`require bend radius` fails",
+    E0816 Error "`require fold` fails",
+    E0817 Error "`require diagonal ratio` fails",
+    E0818 Error "`require width` fails",
+    E0819 Error "`require area` fails",
     E0820 Error "a setting of the other method of planarizing",
     W0826 Warning "planarizing moved vertices far",
+    E0830 Error "`require angle` fails",
+    E0831 Error "`require bevel` fails",
+    E0832 Error "`require mass` fails",
+    E0833 Error "`require count` fails",
+    E0834 Error "elements larger than the raw board or bar",
+    E0835 Error "two requirements that exclude each other",
+    E0836 Error "a requirement that nothing can hold",
+
+    // End cuts and edges.
+    E0850 Error "an end cut that the machine cannot make",
 
     // NC programs.
     E0901 Error "an NC program that cannot be made",

@@ -18,6 +18,6 @@ pub mod tree;
 pub mod types;
 pub mod value;
 
-pub use check::{Checked, ModuleSource, check, check_indexed};
+pub use check::{Checked, ImportedMesh, ModuleSource, check, check_indexed};
 pub use library::{LIBRARY, library_text};
 pub use library_docs::{ItemDocs, ModuleDocs, library_docs, library_page};

@@ -5,9 +5,10 @@ use super::scalar::Scalar;
 use super::schema::{ChoiceKind, Measure, SchemaKind};
 use super::size::UntilExpr;
 use super::types::{PointSpace, Type};
-use super::value::OwnGerm;
+use super::value::{Germ, OwnGerm};
 use crate::source::{FileId, Span};
 use crate::syntax::ast::Comparison;
+use std::sync::Arc;
 
 /// The identity of an item across all modules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -265,12 +266,23 @@ pub struct Boundary {
 /// `join left.end = right.start`, as written; what the names stand for is known with the arguments.
 #[derive(Clone, Debug)]
 pub struct Join {
-    /// The path before the sign: one or two names.
-    pub left: Vec<(String, Span)>,
+    /// The path before the sign: one or two parts.
+    pub left: Vec<JoinPart>,
     /// The path after it.
-    pub right: Vec<(String, Span)>,
+    pub right: Vec<JoinPart>,
     /// The whole member.
     pub span: Span,
+}
+
+/// A part of a path in a join: `left`, `branch[0]`.
+#[derive(Clone, Debug)]
+pub struct JoinPart {
+    /// Its name.
+    pub name: String,
+    /// Where it stands.
+    pub span: Span,
+    /// Which member of a family it is.
+    pub member: Option<Expr>,
 }
 
 /// A fabricate block.
@@ -345,6 +357,8 @@ pub enum ExprKind {
     Bool(bool),
     /// A text.
     Text(String),
+    /// A mesh that was read.
+    Imported(Arc<Germ>),
     /// A slot of the frame.
     Local(LocalId),
     /// The value of a param, let or figure.

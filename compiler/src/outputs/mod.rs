@@ -1,13 +1,29 @@
 //! What a build writes: from one analysis to named outputs. The folder they go to, and when, is the caller's business.
 
+mod assembly;
+mod diagnostics;
+mod drawings;
+mod html;
+mod labels;
 mod model;
 pub mod names;
 mod parts;
+mod place;
 mod programs;
 mod report;
+mod selection;
+mod timber;
+
+pub use diagnostics::{DIAGNOSTICS, diagnostics_json};
+pub use selection::{Format, LeftOut, Selection};
 
 use crate::analysis::{Analysis, Elements};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::export::assembly::assembly as assembly_list;
+use crate::export::btlx::Project;
+use crate::export::dxf::Drawing;
+use crate::export::labels::Sheet;
+use crate::export::part::Part;
 use crate::export::planarity_csv::{Surface, planarity_csv};
 use crate::export::{cut_list, glb::GlbError};
 use crate::source::Span;
@@ -15,35 +31,13 @@ use model::OwnedModel;
 use sha2::{Digest, Sha256};
 use std::io;
 
-/// Which outputs are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Selection {
-    /// `model.glb`
-    pub glb: bool,
-    /// `boards/*.nc`
-    pub nc: bool,
-    /// `cutlist.csv`, `planarity.csv`
-    pub csv: bool,
-    /// `report.json`
-    pub json: bool,
-}
-
-impl Selection {
-    /// Everything.
-    pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, json: true };
-
-    /// Whether nothing is wanted.
-    pub fn is_empty(self) -> bool {
-        !(self.glb || self.nc || self.csv || self.json)
-    }
-}
-
 /// One file of a build.
 #[derive(Debug)]
 pub struct Output {
     /// Its place in the output folder, with `/`.
     pub path: String,
-    /// What it is, for the manifest: `model`, `report`, `list`, `program`.
+    /// What it is, for the manifest: `model`, `report`, `list`, `program`, `drawing`,
+    /// `labels`, `diagnostics`.
     pub kind: &'static str,
     /// The address of the board it is for.
     pub address: Option<String>,
@@ -54,12 +48,26 @@ pub struct Output {
 #[derive(Debug)]
 enum Content {
     Bytes(Vec<u8>),
+    Drawing(Drawing),
+    Labels(Sheet),
+    Timber(Project),
     Model(Box<OwnedModel>),
 }
 
 impl Output {
     fn new(path: &str, kind: &'static str, text: String) -> Self {
         Output { path: path.to_owned(), kind, address: None, content: Content::Bytes(text.into_bytes()) }
+    }
+
+    /// A file of the whole design that is written piece by piece.
+    fn of_design(path: &str, kind: &'static str, content: Content) -> Self {
+        Output { path: path.to_owned(), kind, address: None, content }
+    }
+
+    /// A file for one board.
+    fn of_board(path: &str, kind: &'static str, address: &str, bytes: Vec<u8>) -> Self {
+        let address = Some(address.to_owned());
+        Output { path: path.to_owned(), kind, address, content: Content::Bytes(bytes) }
     }
 
     /// Writes the bytes of the file.
@@ -69,6 +77,9 @@ impl Output {
     pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
         match &self.content {
             Content::Bytes(bytes) => out.write_all(bytes),
+            Content::Drawing(drawing) => drawing.write(out),
+            Content::Labels(sheet) => sheet.write(out),
+            Content::Timber(project) => project.write(out),
             Content::Model(model) => model.write(out).map_err(|error| match error {
                 GlbError::Write(error) => error,
                 other => io::Error::other(other.to_string()),
@@ -87,7 +98,7 @@ pub struct Outputs {
 }
 
 /// Makes the outputs of a design without errors.
-pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
+pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
     let mut files = Vec::new();
     if analysis.plan.as_ref().is_none_or(|lowered| lowered.plan.figures().is_empty()) {
         let message = "there is nothing to build: the design has no figures";
@@ -95,37 +106,73 @@ pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
         let diagnostic = diagnostic.hint("declare one: `figure line = … on (…) at level 3`");
         return Outputs { files, diagnostics: vec![diagnostic] };
     }
-    if selection.glb {
-        let model = Box::new(OwnedModel::of(analysis));
-        files.push(Output {
-            path: "model.glb".to_owned(),
-            kind: "model",
-            address: None,
-            content: Content::Model(model),
-        });
+    if selection.makes(Format::Glb) {
+        let content = Content::Model(Box::new(OwnedModel::of(analysis)));
+        files.push(Output::of_design("model.glb", "model", content));
     }
-    if selection.nc {
-        let (programs, diagnostics) = programs::programs(analysis);
+    if [Format::Nc, Format::Dxf, Format::Btlx].iter().any(|format| selection.makes(*format)) {
+        let diagnostics = board_files(analysis, selection, &mut files);
         if !diagnostics.is_empty() {
             return Outputs { files: Vec::new(), diagnostics };
         }
-        files.extend(programs);
     }
-    let parts = parts::parts(analysis, selection.nc);
-    if selection.csv && !analysis.fabrications.is_empty() {
-        let all: Vec<_> = parts.iter().flatten().cloned().collect();
-        files.push(Output::new("cutlist.csv", "list", cut_list::cut_list(&all)));
-        let surfaces = surfaces(analysis);
-        if !surfaces.is_empty() {
-            files.push(Output::new("planarity.csv", "list", planarity_csv(&surfaces)));
+    let parts = parts::parts(analysis, selection);
+    if selection.makes(Format::Csv) && !analysis.fabrications.is_empty() {
+        lists(analysis, selection, &parts, &mut files);
+    }
+    if selection.makes(Format::Svg) {
+        let sheets = labels::sheets(analysis, selection);
+        files.extend(
+            sheets
+                .into_iter()
+                .map(|(name, sheet)| Output::of_design(&name, "labels", Content::Labels(sheet))),
+        );
+    }
+    if selection.makes(Format::Html) || selection.makes(Format::Json) {
+        let report = report::report(analysis, parts);
+        if selection.makes(Format::Html) {
+            files.push(Output::new("report.html", "report", html::html(analysis, &report)));
+        }
+        if selection.makes(Format::Json)
+            && let Ok(text) = report.to_json()
+        {
+            files.push(Output::new("report.json", "report", text));
         }
     }
-    if selection.json
-        && let Ok(text) = report::report(analysis, parts).to_json()
-    {
-        files.push(Output::new("report.json", "report", text));
-    }
+    let said = diagnostics_json(&analysis.diagnostics, &analysis.sources, false);
+    files.push(Output::new(DIAGNOSTICS, "diagnostics", said));
     Outputs { files, diagnostics: Vec::new() }
+}
+
+/// Programs and drawings of boards, or what speaks against them.
+fn board_files(analysis: &Analysis, selection: &Selection, files: &mut Vec<Output>) -> Vec<Diagnostic> {
+    let (blocks, mut diagnostics) = programs::blocks(analysis, selection);
+    if selection.makes(Format::Nc) {
+        let (programs, found) = programs::programs(&blocks);
+        files.extend(programs);
+        diagnostics.extend(found);
+    }
+    if selection.makes(Format::Dxf) {
+        files.extend(drawings::drawings(&blocks));
+    }
+    if selection.makes(Format::Btlx) && !blocks.is_empty() {
+        let content = Content::Timber(timber::project(analysis, &blocks));
+        files.push(Output::of_design("model.btlx", "model", content));
+    }
+    diagnostics
+}
+
+/// The lists of the boards that are wanted.
+fn lists(analysis: &Analysis, selection: &Selection, parts: &[Vec<Part>], files: &mut Vec<Output>) {
+    let wanted = |part: &&Part| selection.takes(&part.address, &part.alias);
+    let all: Vec<Part> = parts.iter().flatten().filter(wanted).cloned().collect();
+    files.push(Output::new("cutlist.csv", "list", cut_list::cut_list(&all)));
+    let rows = assembly::rows(analysis, selection);
+    files.push(Output::new("assembly.csv", "list", assembly_list(&rows)));
+    let surfaces = surfaces(analysis);
+    if !surfaces.is_empty() {
+        files.push(Output::new("planarity.csv", "list", planarity_csv(&surfaces)));
+    }
 }
 
 fn surfaces(analysis: &Analysis) -> Vec<Surface<'_>> {
@@ -143,20 +190,26 @@ fn surfaces(analysis: &Analysis) -> Vec<Surface<'_>> {
         .collect()
 }
 
-/// What a build is made of, as 16 hexadecimal digits: the design's text, those of the files it uses with their paths in
-/// the project, and its parameters. Two builds with the same one by the same version of the program are the same.
+/// Address and alias of every board and plank of a design, in order, also of those that cannot be made.
+pub fn board_names(analysis: &Analysis) -> Vec<(&str, &str)> {
+    let labels = selection::labels(analysis);
+    labels.into_iter().map(|label| (label.address.as_str(), label.alias.as_str())).collect()
+}
+
+/// What a build is made of, as 16 hexadecimal digits: the design's text, those of the files it uses and the meshes it
+/// imports with their paths in the project, and its parameters. Two builds with the same one by the same version of the program are the same.
 pub fn design_hash(analysis: &Analysis) -> String {
     let mut hasher = Sha256::new();
     let mut sources = project_sources(analysis);
     if !sources.is_empty() {
-        hasher.update(sources.remove(0).1.as_bytes());
+        hasher.update(sources.remove(0).1);
     }
     sources.sort_unstable();
-    for (path, text) in sources {
+    for (path, bytes) in sources {
         hasher.update([1]);
         hasher.update(path.as_bytes());
         hasher.update([0]);
-        hasher.update(text.as_bytes());
+        hasher.update(bytes);
     }
     for (name, value) in parameter_texts(analysis) {
         hasher.update([0]);
@@ -167,16 +220,19 @@ pub fn design_hash(analysis: &Analysis) -> String {
     names::hex(&hasher.finalize())[..16].to_owned()
 }
 
-/// The files a build is made of, the design's own first: their paths from the root of the project, and their texts.
-pub fn project_sources(analysis: &Analysis) -> Vec<(String, &str)> {
+/// The files a build is made of, the design's own first, meshes last: their paths from the root of the project, and their
+/// bytes.
+pub fn project_sources(analysis: &Analysis) -> Vec<(String, &[u8])> {
     let files = analysis.files.iter().enumerate();
+    let meshes = analysis.meshes.iter().map(|mesh| (mesh.path.clone(), mesh.bytes.as_slice()));
     files
         .filter_map(|(place, file)| {
-            let text = analysis.sources.get(file.file)?.text.as_str();
+            let text = analysis.sources.get(file.file)?.text.as_bytes();
             let stdin = place == 0 && file.path.rsplit('/').next() == Some("-");
             let path = if stdin { format!("{}.ifs", analysis.design_name()) } else { file.path.clone() };
             Some((path, text))
         })
+        .chain(meshes)
         .collect()
 }
 

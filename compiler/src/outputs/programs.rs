@@ -1,14 +1,14 @@
 //! NC programs: one for each board and plank of a block with a machine, read back before it is given out.
 
 use super::parts::program_path;
-use super::{Output, design_hash};
+use super::{Output, Selection, design_hash};
 use crate::analysis::{Analysis, Elements, Fabrication, field, number, text};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::export::nc;
 use crate::export::number::fixed;
 use crate::fabricate::cut_job::{CutJob, Engraving};
 use crate::fabricate::machine::{CutDirection, Dialect, Machine, MachineSpec, Tool, WorkOffset, ZZero};
-use crate::fabricate::panel::Panel;
+use crate::fabricate::panel::{Edges, Panel};
 use crate::fabricate::plank::Plank;
 use crate::fabricate::toolpath::program;
 use crate::hir::tree::Hir;
@@ -23,18 +23,39 @@ const CLEAR_OF_BEVELS: f64 = 1.0;
 /// How many boards that cannot be cut are named.
 const NAMED: usize = 5;
 
-/// The programs of every block, or what speaks against them.
-pub(super) fn programs(analysis: &Analysis) -> (Vec<Output>, Vec<Diagnostic>) {
-    let mut outputs = Vec::new();
-    let mut diagnostics = Vec::new();
+/// A fabricate block with what its machine is to cut.
+pub(super) struct Block<'a> {
+    /// What it makes.
+    pub(super) made: &'a Fabrication,
+    /// The machine, and where the design names it.
+    pub(super) machine: Option<(Machine, Span)>,
+    /// The boards that are wanted, in order.
+    pub(super) jobs: Vec<CutJob>,
+}
+
+/// The blocks of a design with the boards that are wanted, or what speaks against their machines.
+pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<Block<'a>>, Vec<Diagnostic>) {
+    let (mut blocks, mut diagnostics) = (Vec::new(), Vec::new());
     let hash = design_hash(analysis);
     for made in &analysis.fabrications {
-        let Some((_, value, span)) = made.settings.iter().find(|(name, _, _)| *name == "machine") else {
-            continue;
-        };
-        match machine(&analysis.hir, value, *span) {
-            Ok(machine) => block(analysis, made, &machine, *span, &hash, &mut outputs, &mut diagnostics),
+        let setting = made.settings.iter().find(|(name, _, _)| *name == "machine");
+        let machine = setting.map(|(_, value, span)| Ok((machine(&analysis.hir, value, *span)?, *span)));
+        let mut jobs = jobs(analysis, made, &hash);
+        jobs.retain(|job| selection.takes(&job.address, &job.alias));
+        match machine.transpose() {
+            Ok(machine) => blocks.push(Block { made, machine, jobs }),
             Err(diagnostic) => diagnostics.push(diagnostic),
+        }
+    }
+    (blocks, diagnostics)
+}
+
+/// The programs of every block with a machine, or what speaks against them.
+pub(super) fn programs(blocks: &[Block<'_>]) -> (Vec<Output>, Vec<Diagnostic>) {
+    let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
+    for block in blocks {
+        if let Some((machine, span)) = &block.machine {
+            block_programs(&block.jobs, machine, *span, &mut outputs, &mut diagnostics);
         }
     }
     (outputs, diagnostics)
@@ -48,24 +69,26 @@ struct Failure {
     why: String,
 }
 
-fn block(
-    analysis: &Analysis,
-    made: &Fabrication,
+fn block_programs(
+    jobs: &[CutJob],
     machine: &Machine,
     span: Span,
-    hash: &str,
     outputs: &mut Vec<Output>,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let mut failures: Vec<Failure> = Vec::new();
-    for job in jobs(analysis, made, hash) {
-        match one(&job, machine) {
+    for job in jobs {
+        let (alias, address) = (job.alias.clone(), job.address.clone());
+        match one(job, machine) {
             Ok(text) => {
-                let mut output = Output::new(&program_path(&job.address), "program", text);
-                output.address = Some(job.address);
-                outputs.push(output);
+                outputs.push(Output::of_board(
+                    &program_path(&address),
+                    "program",
+                    &address,
+                    text.into_bytes(),
+                ));
             }
-            Err((code, why)) => failures.push(Failure { code, alias: job.alias, address: job.address, why }),
+            Err((code, why)) => failures.push(Failure { code, alias, address, why }),
         }
     }
     for code in [Code::E0901, Code::E0902] {
@@ -135,7 +158,7 @@ fn panel_job(panel: &Panel, design: &str, hash: &str, (height, least): (f64, f64
             None => "border".to_owned(),
         };
         let neighbour = towards(panel.neighbours[edge].as_ref());
-        format!("edge {edge}: {bevel}{neighbour}")
+        format!("edge {edge}: {bevel}{}{neighbour}", faces_beside(panel, edge))
     });
     let engraving = Engraving { height, least_height: least, clearance, mark_edge_0: true };
     CutJob {
@@ -148,6 +171,19 @@ fn panel_job(panel: &Panel, design: &str, hash: &str, (height, least): (f64, f64
         engraving,
         face_up: "outer".to_owned(),
         notes: notes.collect(),
+    }
+}
+
+/// How far the two faces, or the two halves of a stepped edge, lie inside the outline that is cut.
+fn faces_beside(panel: &Panel, edge: usize) -> String {
+    let offset = panel.offsets[edge];
+    let inside = |face: f64| fixed(offset.cut() - face, 2).unwrap_or_default();
+    let (top, bottom) = (inside(offset.top), inside(offset.bottom));
+    match panel.edge_cut {
+        _ if panel.bevels[edge].is_none() => String::new(),
+        Edges::Square => String::new(),
+        Edges::Bevelled => format!(", outer face {top} inner face {bottom} inside this outline"),
+        Edges::Stepped => format!(", outer half {top} inner half {bottom} inside this outline"),
     }
 }
 

@@ -27,6 +27,15 @@ impl Method {
         }
     }
 
+    /// The most steps it makes.
+    #[must_use]
+    pub fn iterations(&self) -> u32 {
+        match self {
+            Self::Perturbation(options) => options.iterations,
+            Self::Projection(options) => options.iterations,
+        }
+    }
+
     /// The planarity it aims at.
     #[must_use]
     pub fn threshold(&self) -> f64 {

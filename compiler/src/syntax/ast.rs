@@ -5,7 +5,7 @@
 mod ifs;
 
 pub use super::unit::Unit;
-pub use ifs::{ControlPoint, Ifs, Member, MemberKind, Space, Transform};
+pub use ifs::{ControlPoint, Ifs, JoinPart, Member, MemberKind, Space, Transform};
 
 use crate::source::Span;
 

@@ -22,7 +22,7 @@ pub(super) fn outputs_hold(first: &Analysis, again: &Analysis) -> Holds {
 
 /// The bytes of all files by name, and what is said where there are none.
 fn contents(analysis: &Analysis) -> Result<(BTreeMap<String, Vec<u8>>, String), String> {
-    let made = outputs(analysis, Selection::ALL);
+    let made = outputs(analysis, &Selection::all());
     let said = printed(&made.diagnostics, &analysis.sources)?;
     holds(made.files.is_empty() != made.diagnostics.is_empty(), || {
         format!("neither files nor words: {said}")

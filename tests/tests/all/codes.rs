@@ -134,6 +134,25 @@ fn a_text_that_is_no_value() {
         assert!(found.hints.iter().any(|hint| hint.text.contains("--set span=")), "{:?}", found.hints);
     }
     assert!(analysed(text, &[("span", "7m")]).diagnostics.is_empty());
+    // What is set is not worked out, which is said.
+    let analysis = analysed(text, &[("span", "6m+200mm")]);
+    assert!(only(&analysis).notes[0].contains("not worked out"), "{:?}", only(&analysis).notes);
+}
+
+/// A long chain of values is worked out where each stands before those that need it; the other way round it is too deep,
+/// which is said as it is.
+#[test]
+fn a_chain_of_values_that_wait_for_each_other() {
+    let mut chain: Vec<String> = (0..6000).map(|i| format!("let a{i} = a{} + 1\n", i + 1)).collect();
+    chain.push("let a6000 = 1\n".to_owned());
+    let analysis = analysed(chain.concat().as_bytes(), &[]);
+    let found = only(&analysis);
+    assert_eq!(found.code, Code::E0703);
+    assert!(found.message.contains("wait for each other"), "{}", found.message);
+    assert!(found.hints.iter().any(|hint| hint.text.contains("before")), "{:?}", found.hints);
+    chain.reverse();
+    let analysis = analysed(chain.concat().as_bytes(), &[]);
+    assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
 }
 
 /// A flute of 8mm does not reach through a board of 12mm.
@@ -156,7 +175,7 @@ fn a_board_that_the_machine_cannot_cut() {
     "#;
     let analysis = analysed(text.as_bytes(), &[]);
     assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
-    let made = outputs(&analysis, Selection::ALL);
+    let made = outputs(&analysis, &Selection::all());
     assert_eq!(made.diagnostics.len(), 1, "{:?}", made.diagnostics);
     let found = &made.diagnostics[0];
     assert_eq!(found.code, Code::E0901);
@@ -170,7 +189,7 @@ fn a_design_without_figures_is_not_built() {
     for text in ["", "// nothing yet\n", "let width = 27mm\n"] {
         let analysis = analysed(text.as_bytes(), &[]);
         assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
-        let made = outputs(&analysis, Selection::ALL);
+        let made = outputs(&analysis, &Selection::all());
         assert!(made.files.is_empty());
         let codes: Vec<Code> = made.diagnostics.iter().map(|found| found.code).collect();
         assert_eq!(codes, [Code::E0807]);
@@ -208,6 +227,9 @@ fn every_module_of_the_library_is_without_fault() {
     }
 }
 
+/// The mesh that the pages import.
+const JOINT: &[u8] = include_bytes!("../../suite/meshes/joint.glb");
+
 /// The pages of documentation with their paths.
 fn pages() -> Vec<(String, String)> {
     let mut paths = sources::files(&root().join("docs"), "md");
@@ -224,7 +246,7 @@ fn the_designs_in_the_documentation_mean_what_it_says() {
     let mut seen = 0;
     for (path, page) in pages() {
         let code = path.rsplit('/').next().and_then(|name| Code::parse(name.split('.').next()?));
-        let mut files = MemoryFiles::default();
+        let mut files = MemoryFiles::default().with("joint.glb", JOINT);
         for block in blocks(&page).into_iter().filter(Block::is_design) {
             seen += 1;
             let name = block.file.as_deref().unwrap_or("design.ifs");

@@ -179,7 +179,7 @@ fn output_folder(test: &str, cutlist: &str) -> PathBuf {
     let sources = vec![SourceRecord::of("vault.ifs", b""), SourceRecord::of("std/curves.ifs", b"")];
     let parameters =
         BTreeMap::from([("span".to_owned(), "6m".to_owned()), ("rise".to_owned(), "2m".to_owned())]);
-    staging.commit(&Provenance { sources, parameters }).unwrap();
+    staging.commit(&Provenance { sources, parameters, ..Provenance::default() }).unwrap();
     target
 }
 

@@ -1,12 +1,12 @@
 //! Surfaces as boards: settings, planarizing, panels.
 
 use super::super::placed::{FigureGeometry, quad_labels};
-use super::super::planarizing::planarizing;
+use super::super::planarizing::{Goals, planarizing};
 use super::super::requirements::LimitValue;
 use super::super::settings;
 use super::{PanelFigure, PanelsMade, Work};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::fabricate::panel::{Grain, PanelSettings, Side, panels};
+use crate::fabricate::panel::{Edges, Grain, PanelSettings, Side, panels};
 use crate::geometry::QuadMesh;
 use crate::hir::schema::Measure;
 use crate::plan::FigurePlan;
@@ -27,6 +27,11 @@ impl Work<'_> {
                 Some(1) => Grain::V,
                 _ => Grain::Free,
             },
+            edges: match settings::choice(self.setting("edges")) {
+                Some(1) => Edges::Bevelled,
+                Some(2) => Edges::Stepped,
+                _ => Edges::Square,
+            },
         };
         let planarizing = self.planarize(limits)?;
         let mut made = PanelsMade {
@@ -35,6 +40,7 @@ impl Work<'_> {
             figures: Vec::new(),
             panels: Vec::new(),
             refused: Vec::new(),
+            corners: Vec::new(),
         };
         let figures: Vec<(usize, FigurePlan)> =
             self.figures().into_iter().map(|(place, figure)| (place, figure.clone())).collect();
@@ -48,7 +54,10 @@ impl Work<'_> {
     /// How to planarize, where that is asked for and of use; `None` after a report of an error.
     fn planarize(&mut self, limits: &[LimitValue]) -> Option<Option<Method>> {
         let Some((_, value, span)) = self.setting("planarize").cloned() else { return Some(None) };
-        match planarizing(&value, span, self.goal(limits)) {
+        if self.leave_unplanarized {
+            return Some(None);
+        }
+        match planarizing(&value, span, self.goals(limits)) {
             Ok(_) if self.figures().iter().all(|(_, figure)| figure.shape.planar_by_construction()) => {
                 let message =
                     "the quads of this surface are planar by construction: there is nothing to planarize";
@@ -64,12 +73,16 @@ impl Work<'_> {
         }
     }
 
-    /// The planarity that `require planarity >= …` asks for.
-    fn goal(&self, limits: &[LimitValue]) -> Option<f64> {
-        let required = self.block.requirements.iter().zip(limits);
-        required
-            .filter(|(requirement, _)| requirement.measure == Measure::Planarity)
-            .find_map(|(_, limit)| limit.least())
+    /// What `require planarity >= …` and `require diagonal ratio <= …` ask for.
+    fn goals(&self, limits: &[LimitValue]) -> Goals {
+        let of = |measure: Measure| {
+            let required = self.block.requirements.iter().zip(limits);
+            required.filter(move |(requirement, _)| requirement.measure == measure).map(|(_, limit)| limit)
+        };
+        Goals {
+            planarity: of(Measure::Planarity).find_map(LimitValue::least),
+            diagonal_ratio: of(Measure::DiagonalRatio).find_map(LimitValue::most),
+        }
     }
 
     fn surface(&mut self, place: usize, figure: &FigurePlan, made: &mut PanelsMade) -> Option<()> {
@@ -88,8 +101,12 @@ impl Work<'_> {
         let built = outcome.as_ref().map_or_else(|| designed.clone(), |outcome| outcome.mesh.clone());
         let (designed, built) = (self.scaled_mesh(designed), self.scaled_mesh(built));
         match panels(&designed, &built, &labels, &made.settings) {
-            Ok(done) => {
+            Ok(mut done) => {
+                // Surfaces are put up one after the other.
+                let before = made.panels.len() as u32;
+                done.panels.iter_mut().for_each(|panel| panel.order += before);
                 made.panels.extend(done.panels);
+                made.corners.extend(done.corners);
                 made.refused.extend(done.refused);
             }
             Err(error) => {

@@ -26,6 +26,12 @@ pub(super) struct Pattern {
     strokes: Vec<Stroke>,
 }
 
+impl Pattern {
+    pub(super) fn into_strokes(self) -> Vec<Stroke> {
+        self.strokes
+    }
+}
+
 /// The text as a block about its middle, in units of its height.
 struct Block {
     strokes: Vec<Stroke>,
@@ -37,6 +43,14 @@ struct Block {
 /// # Errors
 /// No text, an unknown character, senseless or illegible heights, or no room even at the least height.
 pub(super) fn place(job: &CutJob, machine: &Machine, outline: &Polygon) -> Result<Pattern, Refusal> {
+    place_strokes(job, machine.engraver().diameter, outline)
+}
+
+/// As [`place`], for strokes of this width, mm.
+///
+/// # Errors
+/// As [`place`].
+pub(super) fn place_strokes(job: &CutJob, width: f64, outline: &Polygon) -> Result<Pattern, Refusal> {
     let asked = job.engraving;
     let sensible = asked.least_height > 0.0
         && asked.height >= asked.least_height
@@ -46,7 +60,6 @@ pub(super) fn place(job: &CutJob, machine: &Machine, outline: &Polygon) -> Resul
         let (height, least, clearance) = (asked.height, asked.least_height, asked.clearance);
         return Err(Refusal::EngravingFigures { height, least, clearance });
     }
-    let width = machine.engraver().diameter;
     let legible = LEGIBLE * width;
     if asked.height < legible {
         return Err(Refusal::TextTooFine { asked: asked.height, legible, diameter: width });

@@ -5,6 +5,7 @@
 //! margin and one cutter diameter around it, never turned.
 
 mod contour;
+mod engraving;
 mod lettering;
 mod offset;
 mod polygon;
@@ -13,6 +14,7 @@ mod refusal;
 #[cfg(test)]
 pub(crate) mod tests;
 
+pub use engraving::engraving;
 pub use program::{Header, Program, Step, Turn};
 pub use refusal::Refusal;
 

@@ -3,7 +3,7 @@
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::index::{DeclarationKind, Target};
-use crate::hir::tree::{Boundary, Expr, ExprKind, Ifs, Image, Join};
+use crate::hir::tree::{Boundary, Expr, ExprKind, Ifs, Image, Join, JoinPart};
 use crate::hir::types::{PointSpace, Type};
 use crate::source::Span;
 use crate::syntax::ast;
@@ -70,9 +70,23 @@ impl Checker<'_> {
         );
     }
 
-    pub(super) fn join(&mut self, typed: &mut Ifs, left: &[ast::Name], right: &[ast::Name], span: Span) {
-        let path = |names: &[ast::Name]| names.iter().map(|name| (name.text.clone(), name.span)).collect();
-        typed.joins.push(Join { left: path(left), right: path(right), span });
+    pub(super) fn join(
+        &mut self,
+        frame: &mut Frame,
+        typed: &mut Ifs,
+        (left, right): (&[ast::JoinPart], &[ast::JoinPart]),
+        span: Span,
+    ) {
+        let mut path = |parts: &[ast::JoinPart]| -> Vec<JoinPart> {
+            let part = |part: &ast::JoinPart| JoinPart {
+                name: part.name.text.clone(),
+                span: part.name.span,
+                member: part.member.as_ref().map(|member| self.expect(frame, member, &Type::Int)),
+            };
+            parts.iter().map(part).collect()
+        };
+        let (left, right) = (path(left), path(right));
+        typed.joins.push(Join { left, right, span });
     }
 
     /// Whether the names in joins are those of transforms and boundaries, as far as the text says. Called when all
@@ -105,7 +119,7 @@ impl Checker<'_> {
         self.report(diagnostic.also(first, "first declared here"));
     }
 
-    fn own_boundary(&mut self, typed: &Ifs, (name, span): &(String, Span)) {
+    fn own_boundary(&mut self, typed: &Ifs, JoinPart { name, span, .. }: &JoinPart) {
         let known = typed.boundaries.iter().find(|boundary| boundary.name == *name);
         if let Some(boundary) = known {
             self.refer(*span, Target::Declared(boundary.name_span));
@@ -129,8 +143,8 @@ impl Checker<'_> {
         &mut self,
         ifs: &ast::Ifs,
         typed: &Ifs,
-        (first, first_span): &(String, Span),
-        (second, second_span): &(String, Span),
+        JoinPart { name: first, span: first_span, .. }: &JoinPart,
+        JoinPart { name: second, span: second_span, .. }: &JoinPart,
     ) {
         let transform = typed.transforms.iter().find(|transform| transform.name == *first);
         let boundary = typed.boundaries.iter().find(|boundary| boundary.name == *first);

@@ -3,12 +3,13 @@
 use super::scope::Symbol;
 use super::{Checker, Frame};
 use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::dimension::Dimension;
 use crate::hir::index::Target;
 use crate::hir::schema::{Measure, SchemaKind, SettingType};
-use crate::hir::tree::{Expr, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
+use crate::hir::tree::{Expr, ExprKind, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
-use crate::syntax::{MEASURES, ast};
+use crate::syntax::ast;
 
 impl Checker<'_> {
     pub(super) fn fabricate(&mut self, block: &ast::Fabricate) {
@@ -175,13 +176,8 @@ impl Checker<'_> {
         span: Span,
     ) -> Option<Requirement> {
         let words = &requirement.measure;
-        let Some(measure) = Measure::named(&words.text) else {
-            // What is no measure at all, the parser has said.
-            if MEASURES.contains(&words.text.as_str()) {
-                self.later(&words.text, words.span);
-            }
-            return None;
-        };
+        // What is no measure at all, the parser has said.
+        let measure = Measure::named(&words.text)?;
         if !measure.applies_to(kind) {
             let message = format!("`{}` is no measure of {}", words.text, kind.name());
             let label = format!("not measured on {}", kind.name());
@@ -217,7 +213,30 @@ impl Checker<'_> {
         let expected = Type::Quantity(measure.dimension());
         let checked = self.expr(frame, value, Some(&expected));
         let radius = least && measure == Measure::BendRadius && self.is_radius(&checked.ty);
-        if radius { checked } else { self.convert(checked, &expected) }
+        if radius {
+            return checked;
+        }
+        match checked.ty.dimension() {
+            Some(found) if found != measure.dimension() => self.wrong_limit(measure, &checked),
+            _ => self.convert(checked, &expected),
+        }
+    }
+
+    /// A limit of another dimension, with an example of a right one.
+    fn wrong_limit(&mut self, measure: Measure, value: &Expr) -> Expr {
+        let needed = self.described(&Type::Quantity(measure.dimension()));
+        let found = match &value.ty {
+            Type::Int => self.described(&Type::Quantity(Dimension::NUMBER)),
+            other => self.described(other),
+        };
+        let message = format!("`{}` is limited by {needed}, but this is {found}", measure.words());
+        let diagnostic = Diagnostic::new(Code::E0401, value.span, message).label(found);
+        self.report(diagnostic.hint(format!(
+            "for example `require {} {}`",
+            measure.words(),
+            measure.example()
+        )));
+        Expr { kind: ExprKind::Error, ty: Type::Error, span: value.span }
     }
 
     /// Whether a record has the two radii of a board: across and along its grain.

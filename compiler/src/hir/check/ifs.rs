@@ -117,7 +117,7 @@ impl Checker<'_> {
                 typed.keep.push(checked);
             }
             ast::MemberKind::Boundary(name, value) => self.boundary(frame, typed, name, value),
-            ast::MemberKind::Join(left, right) => self.join(typed, left, right, member.span),
+            ast::MemberKind::Join(left, right) => self.join(frame, typed, (left, right), member.span),
             ast::MemberKind::Error => {}
         }
     }

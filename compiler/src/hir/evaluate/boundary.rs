@@ -5,7 +5,7 @@ use super::{Evaluator, Frame, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::exact::Rational;
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::Boundary;
+use crate::hir::tree::{Boundary, Join, JoinPart};
 use crate::hir::value::{Combination, GermShape, IfsValue, Instance, Terms, Value};
 use crate::source::Span;
 
@@ -34,7 +34,66 @@ impl InstanceBoundary {
     }
 }
 
+/// A stated join with its members counted out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstanceJoin {
+    /// The path before the sign: one or two parts.
+    pub left: Vec<InstanceJoinPart>,
+    /// The path after it.
+    pub right: Vec<InstanceJoinPart>,
+    /// The whole member.
+    pub span: Span,
+}
+
+/// A part of a path in a join.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstanceJoinPart {
+    /// The name as it is written, without the member.
+    pub name: String,
+    /// Where it stands.
+    pub span: Span,
+    /// Which member of a family it is.
+    pub member: Option<i64>,
+}
+
+impl InstanceJoinPart {
+    /// The name that a transform has for it: `left`, `branch.0`.
+    pub fn transform_name(&self) -> String {
+        match self.member {
+            Some(member) => format!("{}.{member}", self.name),
+            None => self.name.clone(),
+        }
+    }
+}
+
+impl std::fmt::Display for InstanceJoinPart {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.member {
+            Some(member) => write!(f, "{}[{member}]", self.name),
+            None => f.write_str(&self.name),
+        }
+    }
+}
+
 impl Evaluator<'_> {
+    /// A stated join of an ifs with its arguments.
+    pub(super) fn join(&mut self, frame: &mut Frame, join: &Join) -> Outcome<InstanceJoin> {
+        let mut path = |parts: &[JoinPart]| -> Outcome<Vec<InstanceJoinPart>> {
+            let part = |part: &JoinPart| {
+                let member = match &part.member {
+                    Some(member) => {
+                        let number = self.scalar(frame, member)?;
+                        Some(number.to_integer().ok_or(Stop::Undetermined)?)
+                    }
+                    None => None,
+                };
+                Ok(InstanceJoinPart { name: part.name.clone(), span: part.span, member })
+            };
+            parts.iter().map(part).collect()
+        };
+        Ok(InstanceJoin { left: path(&join.left)?, right: path(&join.right)?, span: join.span })
+    }
+
     /// Whether an ifs with its arguments draws polygons, so that it may be a surface.
     pub(super) fn draws_polygons(&mut self, instance: &Instance) -> bool {
         self.instantiate(instance).is_ok_and(|body| body.germ.shape == GermShape::Polygon)

@@ -11,6 +11,9 @@ pub const MOST_ELEMENTS: usize = 1_000_000;
 /// How deeply calls and expressions may be nested while they are worked out.
 const DEEPEST: u32 = 5_000;
 
+/// With so many values waiting for each other, it is they that are nested too deeply, not calls.
+const MANY_OPEN: usize = 500;
+
 #[derive(Default)]
 pub(super) struct Budget {
     steps: u64,
@@ -26,6 +29,11 @@ impl Evaluator<'_> {
     /// What the design may ask for.
     pub fn limits(&self) -> Limits {
         self.overrides.limits
+    }
+
+    /// Whether surfaces are left as designed where they would be planarized.
+    pub fn leaves_unplanarized(&self) -> bool {
+        self.overrides.leave_unplanarized
     }
 
     /// Counts a step at an expression.
@@ -94,12 +102,20 @@ impl Evaluator<'_> {
         }
         if !self.budget.exhausted {
             self.budget.exhausted = true;
-            let message = format!("calls are nested more than {DEEPEST} deep");
-            let call = self.calls.last().copied().unwrap_or(span);
-            let diagnostic = Diagnostic::new(Code::E0703, call, message).label("given up here");
-            self.report(
-                diagnostic.hint("a function that calls itself needs an end: `if n <= 0 then … else …`"),
-            );
+            let (message, at, hint) = if self.open.len() > MANY_OPEN {
+                (
+                    format!("values that wait for each other are nested more than {DEEPEST} deep"),
+                    span,
+                    "write each value before those that are made of it: then none has to wait",
+                )
+            } else {
+                (
+                    format!("calls are nested more than {DEEPEST} deep"),
+                    self.calls.last().map_or(span, |call| call.span),
+                    "a function that calls itself needs an end: `if n <= 0 then … else …`",
+                )
+            };
+            self.report(Diagnostic::new(Code::E0703, at, message).label("given up here").hint(hint));
         }
         self.budget.depth -= 1;
         Err(Stop::Reported)

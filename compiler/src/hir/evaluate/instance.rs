@@ -1,6 +1,6 @@
 //! An ifs with its arguments worked out: the images of control points as rows of exact weights.
 
-use super::boundary::InstanceBoundary;
+use super::boundary::{InstanceBoundary, InstanceJoin};
 use super::control_points::point_names;
 use super::germ::Drawn;
 use super::transform::Piece;
@@ -37,6 +37,8 @@ pub struct InstanceBody {
     pub germ_span: Span,
     /// Its named boundaries.
     pub boundaries: Vec<InstanceBoundary>,
+    /// The joins that are stated of it.
+    pub joins: Vec<InstanceJoin>,
 }
 
 /// A germ worked out.
@@ -70,6 +72,7 @@ struct Parts {
     germ: Drawn,
     keep: Vec<Drawn>,
     boundaries: Vec<(Instance, Vec<Vec<Scalar>>)>,
+    joins: Vec<InstanceJoin>,
 }
 
 impl Evaluator<'_> {
@@ -117,6 +120,7 @@ impl Evaluator<'_> {
             keep: parts.keep.into_iter().map(germ).collect::<Outcome<Vec<InstanceGerm>>>()?,
             germ_span: ifs.germ.as_ref().map_or(hir.item(instance.ifs).name_span, |germ| germ.span),
             boundaries: boundaries.collect::<Outcome<Vec<InstanceBoundary>>>()?,
+            joins: parts.joins,
         })
     }
 
@@ -183,7 +187,9 @@ impl Evaluator<'_> {
         for kept in &ifs.keep {
             keep.push(self.germ(&mut frame, ifs, (instance, &pieces), kept)?);
         }
-        Ok(Parts { points: self.points.clone(), pieces, germ, keep, boundaries })
+        let joins: Outcome<Vec<InstanceJoin>> =
+            ifs.joins.iter().map(|join| self.join(&mut frame, join)).collect();
+        Ok(Parts { points: self.points.clone(), pieces, germ, keep, boundaries, joins: joins? })
     }
 
     /// All families of an ifs are empty. An ifs without any transform has been reported by the checker.

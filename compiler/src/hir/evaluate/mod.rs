@@ -18,6 +18,7 @@ mod native;
 mod operator;
 mod overrides;
 mod placement;
+mod plane;
 mod points;
 mod swept;
 mod symbolic;
@@ -26,9 +27,9 @@ mod transform;
 mod until;
 mod vectors;
 
-pub use boundary::InstanceBoundary;
+pub use boundary::{InstanceBoundary, InstanceJoin, InstanceJoinPart};
 pub use budget::MOST_ELEMENTS;
-pub use expression::{quantity_words, words};
+pub use expression::{quantity_words, quantity_words_to, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
 pub use limits::Limits;
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
@@ -59,7 +60,7 @@ pub struct Evaluator<'a> {
     globals: BTreeMap<ItemId, Outcome<Value>>,
     diagnostics: Diagnostics,
     budget: budget::Budget,
-    calls: Vec<Span>,
+    calls: Vec<Call>,
     overrides: &'a Overrides,
     /// Names of the atoms of the ifs being checked for all its parameters.
     atoms: Vec<String>,
@@ -94,6 +95,15 @@ pub struct MustJoin {
     pub span: Span,
     /// Why they must.
     pub why: String,
+}
+
+/// A call of a function that is being worked out.
+#[derive(Clone, Copy)]
+struct Call {
+    /// Where it stands.
+    span: Span,
+    /// The function.
+    of: ItemId,
 }
 
 /// The slots of a call, and the ifs around.
@@ -237,19 +247,31 @@ impl<'a> Evaluator<'a> {
     fn report(&mut self, mut diagnostic: Diagnostic) -> Stop {
         let own = |span: &Span| !self.hir.is_library(span.file);
         if !own(&diagnostic.span)
-            && let Some(call) = self.calls.iter().rev().find(|call| own(call))
+            && let Some(call) = self.calls.iter().rev().find(|call| own(&call.span)).copied()
         {
-            // What goes wrong inside the library is the matter of the line that called it.
-            let inside = std::mem::replace(&mut diagnostic.span, *call);
+            // What goes wrong inside the library is the matter of the line that called it, and of what it called.
+            let inside = std::mem::replace(&mut diagnostic.span, call.span);
             diagnostic = diagnostic.also(inside, "found here");
-        } else if let Some(call) = self.calls.iter().rev().find(|call| **call != diagnostic.span) {
-            diagnostic = diagnostic.also(*call, "called here");
+            diagnostic = match self.told_of(call.of) {
+                Some(told) => diagnostic.note(told),
+                None => diagnostic,
+            };
+        } else if let Some(call) = self.calls.iter().rev().find(|call| call.span != diagnostic.span) {
+            diagnostic = diagnostic.also(call.span, "called here");
         }
         if let Some(within) = &self.within {
             diagnostic = diagnostic.note(format!("in {within}"));
         }
         self.diagnostics.push(diagnostic);
         Stop::Reported
+    }
+
+    /// What a function of the library says of itself: the first paragraph of its docs.
+    fn told_of(&self, id: ItemId) -> Option<String> {
+        let item = self.hir.item(id);
+        let lines = item.docs.iter().map(|line| line.trim());
+        let paragraph: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
+        (!paragraph.is_empty()).then(|| format!("`{}`: {}", item.name, paragraph.join(" ")))
     }
 
     fn atom(&mut self, name: String) -> AtomId {

@@ -66,6 +66,8 @@ impl Evaluator<'_> {
                 | Native::Extrusion,
                 values,
             ) => return self.swept(native, values, arguments, span),
+            (Native::Plane, [point, normal]) => return self.plane(point, normal, arguments),
+            (Native::Cut, [Value::Plane(plane)]) => return Ok(Value::Cut(plane.clone())),
             (Native::Len, [Value::List(list)]) => Scalar::integer(list.len() as i64),
             (Native::Sum, [Value::List(list)]) if matches!(list.first(), Some(Value::Combination(_))) => {
                 return self.sum_of_combinations(list, span);
@@ -227,7 +229,13 @@ impl Evaluator<'_> {
                     let message = "there is no square root of a number below 0";
                     let is = super::words(x, &argument.ty);
                     let diagnostic = Diagnostic::new(Code::E0604, span, message).label(format!("is {is}"));
-                    return Err(self.report(diagnostic.hint("do the lengths fit each other?")));
+                    let hint = match argument.ty == Type::NUMBER || argument.ty == Type::Int {
+                        true => {
+                            "where it may be below 0, decide what holds then: `if x < 0 then … else sqrt(x)`"
+                        }
+                        false => "do the lengths fit each other?",
+                    };
+                    return Err(self.report(diagnostic.hint(hint)));
                 }
                 square_root(x)
             }

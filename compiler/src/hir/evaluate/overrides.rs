@@ -23,6 +23,8 @@ pub struct Overrides {
     pub values: BTreeMap<String, Scalar>,
     /// A figure whose levels are read higher or lower by so much.
     pub level_shift: Option<(String, i32)>,
+    /// Whether surfaces are left as designed where they would be planarized. For looking for remedies.
+    pub leave_unplanarized: bool,
     /// What the design may ask for.
     pub limits: Limits,
 }
@@ -116,6 +118,11 @@ impl Evaluator<'_> {
                 };
                 let diagnostic = Diagnostic::new(Code::E0606, name_span, message).label("declared here");
                 let diagnostic = diagnostic.hint(format!("write it like `--set {name}={example}`"));
+                let worked_out = ['+', '*', '/', '('].iter().any(|sign| text.contains(*sign));
+                let diagnostic = match worked_out {
+                    true => diagnostic.note("what is set is one value and not worked out: add it up first"),
+                    false => diagnostic,
+                };
                 self.report(said_by(diagnostic, default))
             })?,
         };

@@ -2,8 +2,8 @@
 
 use super::Lowering;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::evaluate::InstanceBody;
-use crate::hir::tree::{Ifs, ItemKind, Join};
+use crate::hir::evaluate::{InstanceBody, InstanceJoin, InstanceJoinPart};
+use crate::hir::tree::ItemKind;
 use crate::hir::value::{GermShape, Instance};
 use crate::ifs::{
     Apart, Automaton, Boundary, End, Matrix, Side, State, StateId, Stated, StatedJoin, is_rounding,
@@ -11,7 +11,7 @@ use crate::ifs::{
 };
 use crate::source::Span;
 
-type Path = [(String, Span)];
+type Path = [InstanceJoinPart];
 
 impl Lowering<'_, '_> {
     /// The joins of an ifs without parameters are proved even where no figure uses it.
@@ -34,19 +34,17 @@ impl Lowering<'_, '_> {
         body.boundaries.iter().map(boundary).collect()
     }
 
-    fn ifs_of(&self, state: usize) -> Option<&Ifs> {
-        match &self.hir.item(self.states.instances.get(state)?.ifs).kind {
-            ItemKind::Ifs(ifs) => Some(ifs),
-            _ => None,
-        }
+    /// The joins that are stated of a state.
+    fn joins_of(&self, state: usize) -> Vec<InstanceJoin> {
+        let body = self.states.bodies.get(state).and_then(Option::as_ref);
+        body.map_or(Vec::new(), |body| body.joins.clone())
     }
 
     /// Gives every state the joins that are stated of it; `None` after a report.
     pub(super) fn state_joins(&mut self, states: &mut [State]) -> Option<()> {
         let mut good = true;
         for place in 0..states.len() {
-            let joins = self.ifs_of(place).map_or(Vec::new(), |ifs| ifs.joins.clone());
-            for join in joins {
+            for join in self.joins_of(place) {
                 match (self.side(states, place, &join.left), self.side(states, place, &join.right)) {
                     (Ok(left), Ok(right)) => states[place].stated_joins.push(StatedJoin { left, right }),
                     (Err(diagnostic), _) | (_, Err(diagnostic)) => {
@@ -61,46 +59,52 @@ impl Lowering<'_, '_> {
         good.then_some(())
     }
 
-    /// What a path stands for: `left.end`, `start`, `bottom.left`.
+    /// What a path stands for: `left.end`, `branch[0].end`, `start`, `bottom.left`.
     fn side(&self, states: &[State], place: usize, path: &Path) -> Result<Side, Box<Diagnostic>> {
         let state = &states[place];
-        let missing = |name: &str, of: &str, kind: &str, span: Span| {
-            let message = format!("`{of}` has no {kind} `{name}`");
-            Box::new(Diagnostic::new(Code::E0540, span, message).label("not declared"))
-        };
-        let ((first, span), second) = match path {
+        let (first, second) = match path {
             [own] => (own, None),
             [first, second] => (first, Some(second)),
             _ => return Err(missing("", &state.name, "boundary", Span::default())),
         };
-        let transform = state.transforms.iter().position(|transform| transform.name == *first);
-        if let (Some(transform), Some((name, span))) = (transform, second) {
+        let boundary = state.boundaries.iter().position(|boundary| boundary.name == first.name);
+        if boundary.is_none()
+            && let Some(second) = second
+        {
+            let transform = transform(state, first, "transform or boundary")?;
             let piece = state.transforms[transform].target.index();
-            if let Some(boundary) = states[piece].boundaries.iter().position(|found| found.name == *name) {
-                return Ok(Side::Piece { transform, boundary });
-            }
-            let end = end(name).filter(|_| self.draws_segments(piece));
-            let end = end.ok_or_else(|| missing(name, &states[piece].name, "boundary", *span))?;
-            return Ok(Side::PieceEnd { transform, end });
+            return self.side_of_piece(states, (transform, piece), second);
         }
-        let member = format!("{first}.");
-        if state.transforms.iter().any(|transform| transform.name.starts_with(&member)) {
-            return Err(Box::new(family(*span)));
-        }
-        let Some(boundary) = state.boundaries.iter().position(|boundary| boundary.name == *first) else {
-            let end = end(first).filter(|_| second.is_none() && self.draws_segments(place));
-            return end.map(Side::OwnEnd).ok_or_else(|| missing(first, &state.name, "boundary", *span));
+        no_family(first)?;
+        let Some(boundary) = boundary else {
+            let end = end(&first.name).filter(|_| self.draws_segments(place));
+            let none = || missing(&first.name, &state.name, "boundary", first.span);
+            return end.map(Side::OwnEnd).ok_or_else(none);
         };
         let target = &states[state.boundaries[boundary].target.index()];
         let transform = match second {
-            Some((name, span)) => {
-                let found = target.transforms.iter().position(|transform| transform.name == *name);
-                found.ok_or_else(|| missing(name, &target.name, "transform", *span))?
-            }
+            Some(second) => transform(target, second, "transform")?,
             None if target.transforms.len() == 1 => 0,
-            None => return Err(Box::new(several(first, *span, target))),
+            None => return Err(Box::new(several(&first.name, first.span, target))),
         };
         Ok(Side::Own { boundary, transform })
+    }
+
+    /// A boundary of the state that a transform continues with.
+    fn side_of_piece(
+        &self,
+        states: &[State],
+        (transform, piece): (usize, usize),
+        part: &InstanceJoinPart,
+    ) -> Result<Side, Box<Diagnostic>> {
+        no_family(part)?;
+        let name = &part.name;
+        if let Some(boundary) = states[piece].boundaries.iter().position(|found| found.name == *name) {
+            return Ok(Side::Piece { transform, boundary });
+        }
+        let end = end(name).filter(|_| self.draws_segments(piece));
+        let end = end.ok_or_else(|| missing(name, &states[piece].name, "boundary", part.span))?;
+        Ok(Side::PieceEnd { transform, end })
     }
 
     fn draws_segments(&self, state: usize) -> bool {
@@ -113,7 +117,7 @@ impl Lowering<'_, '_> {
         let mut good = true;
         for (place, state) in automaton.states().iter().enumerate() {
             let id = StateId(place as u32);
-            let joins = self.ifs_of(place).map_or(Vec::new(), |ifs| ifs.joins.clone());
+            let joins = self.joins_of(place);
             for (join, stated) in joins.iter().zip(&state.stated_joins) {
                 let diagnostic = match stated_join(automaton, id, stated) {
                     Stated::Holds => continue,
@@ -136,7 +140,7 @@ impl Lowering<'_, '_> {
         &self,
         automaton: &Automaton,
         id: StateId,
-        join: &Join,
+        join: &InstanceJoin,
         stated: &StatedJoin,
         apart: &Apart,
     ) -> Diagnostic {
@@ -187,10 +191,61 @@ impl Lowering<'_, '_> {
     }
 }
 
-fn family(span: Span) -> Diagnostic {
-    let message = "a member of a family in a join is not available yet";
-    let diagnostic = Diagnostic::new(Code::E0001, span, message).label("a family of transforms");
-    diagnostic.hint("write the transforms that you join one by one")
+fn missing(name: &str, of: &str, kind: &str, span: Span) -> Box<Diagnostic> {
+    let message = format!("`{of}` has no {kind} `{name}`");
+    Box::new(Diagnostic::new(Code::E0540, span, message).label("not declared"))
+}
+
+/// The transform of a state that a part of a path names: one, or a member of a family; `kind` is what else it may be.
+fn transform(state: &State, part: &InstanceJoinPart, kind: &str) -> Result<usize, Box<Diagnostic>> {
+    let name = part.transform_name();
+    if let Some(found) = state.transforms.iter().position(|transform| transform.name == name) {
+        return Ok(found);
+    }
+    let family = format!("{}.", part.name);
+    let of_family = state.transforms.iter().filter_map(|transform| transform.name.strip_prefix(&family));
+    let members: Vec<&str> = of_family.collect();
+    let shown: Vec<String> = members
+        .iter()
+        .enumerate()
+        .filter(|(place, _)| *place < 2 || place + 1 == members.len())
+        .map(|(place, member)| {
+            let gap = if place > 2 { "… " } else { "" };
+            format!("{gap}`{}[{member}]`", part.name)
+        })
+        .collect();
+    let refused = |code: Code, message: String, label: &str, hint: String| {
+        Err(Box::new(Diagnostic::new(code, part.span, message).label(label).hint(hint)))
+    };
+    let are = format!("there are {}", shown.join(", "));
+    match part.member {
+        _ if members.is_empty() && !state.transforms.iter().any(|transform| transform.name == part.name) => {
+            Err(missing(&part.name, &state.name, kind, part.span))
+        }
+        Some(_) if members.is_empty() => {
+            let message = format!("`{}` is one transform, not a family of them", part.name);
+            refused(Code::E0540, message, "has no members", format!("write `{}`", part.name))
+        }
+        Some(_) => {
+            let message = format!("the family `{}` of `{}` has no member `{part}`", part.name, state.name);
+            refused(Code::E0540, message, "not there", are)
+        }
+        None => {
+            let message =
+                format!("`{}` is a family of {} transforms: which one is meant?", part.name, members.len());
+            refused(Code::E0545, message, "more than one piece", are)
+        }
+    }
+}
+
+/// Refuses `[0]` after a boundary.
+fn no_family(part: &InstanceJoinPart) -> Result<(), Box<Diagnostic>> {
+    if part.member.is_none() {
+        return Ok(());
+    }
+    let message = format!("`{}` is one boundary, not a family", part.name);
+    let diagnostic = Diagnostic::new(Code::E0540, part.span, message).label("has no members");
+    Err(Box::new(diagnostic.hint(format!("write `{}`", part.name))))
 }
 
 fn several(name: &str, span: Span, target: &State) -> Diagnostic {
@@ -205,7 +260,7 @@ fn several(name: &str, span: Span, target: &State) -> Diagnostic {
         .hint(format!("name one: {}", names.join(", ")))
 }
 
-fn unlike(state: &State, join: &Join, level: u32) -> Diagnostic {
+fn unlike(state: &State, join: &InstanceJoin, level: u32) -> Diagnostic {
     let (left, right) = (path_text(&join.left), path_text(&join.right));
     let message =
         format!("`{left}` and `{right}` of `{}` cannot be joined: they are of different kinds", state.name);
@@ -217,7 +272,7 @@ fn unlike(state: &State, join: &Join, level: u32) -> Diagnostic {
         .hint("let both boundaries be the same ifs, on points that agree")
 }
 
-fn unproved(state: &State, join: &Join, level: u32) -> Diagnostic {
+fn unproved(state: &State, join: &InstanceJoin, level: u32) -> Diagnostic {
     let (left, right) = (path_text(&join.left), path_text(&join.right));
     let message = format!("that `{left}` is `{right}` in `{}` could not be proved", state.name);
     Diagnostic::new(Code::E0544, join.span, message)
@@ -227,7 +282,7 @@ fn unproved(state: &State, join: &Join, level: u32) -> Diagnostic {
 }
 
 fn path_text(path: &Path) -> String {
-    path.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(".")
+    path.iter().map(InstanceJoinPart::to_string).collect::<Vec<_>>().join(".")
 }
 
 fn end(name: &str) -> Option<End> {

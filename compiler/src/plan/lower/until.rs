@@ -14,6 +14,9 @@ use crate::plan::until::{Sized, UntilError, set_level, smallest_level};
 /// Letters of a branch that are said.
 const LETTERS_SAID: usize = 6;
 
+/// How many zeros a length is written with before it is written with a power of ten.
+const MOST_ZEROS: usize = 9;
+
 impl Lowering<'_, '_> {
     /// Gives every figure that says `until` its level; whether all could be found.
     pub(super) fn find_levels(
@@ -228,12 +231,18 @@ fn limit(until: &Until) -> String {
     }
 }
 
-/// Three decimals; what is smaller, with its first digits.
+/// Three decimals; what is smaller, with its first three digits.
 fn length(millimetres: f64) -> String {
-    if millimetres != 0.0 && millimetres.abs() < 0.01 {
-        return format!("{millimetres:.2e}mm");
+    if millimetres == 0.0 || millimetres.abs() >= 0.01 {
+        return quantity_words(millimetres, Dimension::LENGTH);
     }
-    quantity_words(millimetres, Dimension::LENGTH)
+    let short = format!("{millimetres:.2e}");
+    let power: usize = short.split("e-").nth(1).and_then(|power| power.parse().ok()).unwrap_or(0);
+    if power > MOST_ZEROS {
+        return format!("{short}mm");
+    }
+    let decimals = power + 2;
+    format!("{}mm", format!("{millimetres:.decimals$}").trim_end_matches('0'))
 }
 
 /// The first letters of a branch, `left.left…`, and how many there are.

@@ -60,10 +60,19 @@ pub enum MemberKind {
     Keep(Expr),
     /// `boundary start = bspline3_end on (p0, p1, p2)`
     Boundary(Name, Expr),
-    /// `join left.end = right.start`: two dotted paths (one or two names each).
-    Join(Vec<Name>, Vec<Name>),
+    /// `join left.end = right.start`: two dotted paths of one or two parts each.
+    Join(Vec<JoinPart>, Vec<JoinPart>),
     /// Not understood.
     Error,
+}
+
+/// A part of a path in a join: a boundary, a transform, or a member of a family of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JoinPart {
+    /// Its name.
+    pub name: Name,
+    /// `[0]`: which member of the family.
+    pub member: Option<Expr>,
 }
 
 /// A transform, or an indexed family of them.

@@ -160,7 +160,15 @@ impl Marker<'_, '_> {
             MemberKind::Germ(value) | MemberKind::Keep(value) | MemberKind::Boundary(_, value) => {
                 self.expr(value);
             }
-            MemberKind::Join(..) | MemberKind::Error => {}
+            MemberKind::Join(left, right) => {
+                for part in left.iter().chain(right) {
+                    if let Some(member) = &part.member {
+                        self.glue(part.name.span.end);
+                        self.expr(member);
+                    }
+                }
+            }
+            MemberKind::Error => {}
         }
     }
 

@@ -43,6 +43,8 @@ pub(super) fn add(diagnostic: Diagnostic, scene: &Scene<'_>) -> Diagnostic {
         reserved,
         number_point,
         conditions,
+        renamed,
+        family_condition,
         lone_label,
         missing_part,
         missing_sign,
@@ -192,6 +194,26 @@ fn conditions(scene: &Scene<'_>) -> Option<Way> {
         return say(form);
     }
     None
+}
+
+/// `use std.curves (bezier3 as b)`
+fn renamed(scene: &Scene<'_>) -> Option<Way> {
+    scene.found.filter(|(found, _)| found.text == "as")?;
+    if !is_name(scene.before) || !scene.miss.has(Expected::Comma) {
+        return None;
+    }
+    say(
+        "what is used keeps its name: there is no `as`; where two names are the same, rename the one of your own",
+    )
+}
+
+/// `transform t[i in 0..4 if i != 2] = …`
+fn family_condition(scene: &Scene<'_>) -> Option<Way> {
+    scene.found.filter(|(found, _)| found.kind == TokenKind::If)?;
+    if !scene.miss.has(Expected::CloseBracket) || scene.miss.has(Expected::For) {
+        return None;
+    }
+    say("a condition stands in a list, and a family may run over one: `t[k in [i for i in 0..4 if i != 2]]`")
 }
 
 /// A sign that is missing between what stands before and what was found.

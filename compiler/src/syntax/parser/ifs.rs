@@ -10,7 +10,7 @@ use super::primitive::{lexeme, token, word};
 use super::recovery::Stop;
 use super::sequence::{block, parenthesized};
 use crate::source::Span;
-use crate::syntax::ast::{ControlPoint, Ifs, Member, MemberKind, Name, Space, Transform};
+use crate::syntax::ast::{ControlPoint, Ifs, JoinPart, Member, MemberKind, Name, Space, Transform};
 use crate::syntax::token::TokenKind;
 use chumsky::prelude::*;
 
@@ -70,9 +70,9 @@ fn member<'s>(expressions: &Expressions<'s>) -> Rule<'s, Member> {
             .then(value_after_equals(expressions, Stop::Member))
             .map(|(name, value)| MemberKind::Boundary(name, value)),
         begin("join")
-            .ignore_then(path())
+            .ignore_then(path(expressions))
             .then_ignore(token(TokenKind::Equals))
-            .then(path())
+            .then(path(expressions))
             .map(|(left, right)| MemberKind::Join(left, right)),
     ));
     kinds.map_with(|kind, e| Member { span: e.span(), docs: Vec::new(), kind }).boxed()
@@ -96,10 +96,17 @@ fn transform<'s>(expressions: &Expressions<'s>) -> Rule<'s, Transform> {
         .boxed()
 }
 
-/// `left.end`, `start`
-fn path<'s>() -> Rule<'s, Vec<Name>> {
-    name()
-        .then(token(TokenKind::Dot).ignore_then(name()).or_not())
+/// `left.end`, `start`, `branch[0].end`
+fn path<'s>(expressions: &Expressions<'s>) -> Rule<'s, Vec<JoinPart>> {
+    let member = expressions
+        .whole
+        .clone()
+        .map(|member| member.expr)
+        .then_ignore(token(TokenKind::Comma).or_not())
+        .delimited_by(token(TokenKind::OpenBracket), token(TokenKind::CloseBracket));
+    let part = name().then(member.or_not()).map(|(name, member)| JoinPart { name, member }).boxed();
+    part.clone()
+        .then(token(TokenKind::Dot).ignore_then(part).or_not())
         .map(|(first, second)| std::iter::once(first).chain(second).collect())
         .boxed()
 }

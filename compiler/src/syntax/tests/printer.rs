@@ -117,7 +117,11 @@ pub(super) fn field(it: &Field) -> String {
 
 /// A member of an ifs.
 pub(super) fn member(it: &Member) -> String {
-    let names = |path: &[Name]| path.iter().map(|name| name.text.as_str()).collect::<Vec<_>>().join(".");
+    let part = |part: &JoinPart| {
+        let member = part.member.as_ref().map_or(String::new(), |member| format!("[{}]", expr(member)));
+        format!("{}{member}", part.name.text)
+    };
+    let path = |path: &[JoinPart]| path.iter().map(part).collect::<Vec<_>>().join(".");
     match &it.kind {
         MemberKind::Let(it) => format!("let {} = {}", it.name.text, expr(&it.value)),
         MemberKind::Transform(it) => {
@@ -127,7 +131,7 @@ pub(super) fn member(it: &Member) -> String {
         MemberKind::Germ(value) => format!("germ {}", expr(value)),
         MemberKind::Keep(value) => format!("keep {}", expr(value)),
         MemberKind::Boundary(name, value) => format!("boundary {} = {}", name.text, expr(value)),
-        MemberKind::Join(left, right) => format!("join {} = {}", names(left), names(right)),
+        MemberKind::Join(left, right) => format!("join {} = {}", path(left), path(right)),
         MemberKind::Error => "ERROR".to_owned(),
     }
 }

@@ -1,0 +1,28 @@
+//! A set that keeps the files of the one before: what a failed build leaves.
+
+use super::foreign::link;
+use super::manifest::{Manifest, Provenance};
+use super::{FolderError, Staging};
+
+impl Staging {
+    /// Puts the files of the present set into the new one, but for the file of this name, and gives back what they were
+    /// made from; `None` where there is no set. A file that is listed and not there is left out.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn keep_set(&mut self, except: &str) -> Result<Option<Provenance>, FolderError> {
+        let target = self.place.target.clone();
+        let Some(manifest) = Manifest::read(&target)? else { return Ok(None) };
+        for record in manifest.files {
+            let (source, copy) = (target.join(&record.path), self.place.staging.join(&record.path));
+            if record.path == except || !source.is_file() {
+                continue;
+            }
+            self.make_folders(&copy)?;
+            link(&source, &copy).map_err(FolderError::io("keep", &source))?;
+            self.files.insert(record.path.clone(), record);
+        }
+        let (sources, parameters, left_out) = (manifest.sources, manifest.parameters, manifest.left_out);
+        Ok(Some(Provenance { sources, parameters, left_out, failed: true }))
+    }
+}
