@@ -47,10 +47,6 @@ const fn now(name: &'static str) -> Word {
     Word { name, available: true }
 }
 
-const fn later(name: &'static str) -> Word {
-    Word { name, available: false }
-}
-
 impl ChoiceKind {
     /// Its words in order; a value of the choice is an index into them.
     pub fn words(self) -> &'static [Word] {
@@ -60,7 +56,7 @@ impl ChoiceKind {
         const ENDS: &[Word] = &[now("square"), now("mitred")];
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];
-        const METHOD: &[Word] = &[now("perturbation"), later("projection")];
+        const METHOD: &[Word] = &[now("perturbation"), now("projection")];
         const DIALECT: &[Word] = &[now("linuxcnc"), now("grbl"), now("fanuc")];
         const CUT_DIRECTION: &[Word] = &[now("climb"), now("conventional")];
         const Z_ZERO: &[Word] = &[now("top_of_stock"), now("table")];
