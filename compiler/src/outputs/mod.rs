@@ -148,7 +148,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
     if selection.makes(Format::Html) || selection.makes(Format::Json) {
         let report = report::report(analysis, parts, &nests, &sheet_files);
         if selection.makes(Format::Html) {
-            files.push(Output::new("report.html", "report", html::html(analysis, &report)));
+            files.push(Output::new("report.html", "report", html::html(analysis, &report, &nests)));
         }
         if selection.makes(Format::Json)
             && let Ok(text) = report.to_json()

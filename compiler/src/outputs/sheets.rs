@@ -1,6 +1,7 @@
 //! Nests as lists, pictures and figures of the report.
 
 use super::nests::{BarNest, Named, Nests, SheetNest};
+use crate::export::html::SheetShape;
 use crate::export::nest_csv::{Row, nest_csv};
 use crate::export::number::Fixed;
 use crate::export::part::Part;
@@ -64,11 +65,6 @@ pub(super) fn pictures(nests: &Nests) -> Vec<(String, String)> {
 fn picture(nest: &SheetNest, sheet: usize) -> String {
     let placements: Vec<&Placement> =
         nest.nested.placements.iter().filter(|placement| placement.sheet == sheet).collect();
-    let parts = placements.iter().map(|placement| {
-        let outline = &nest.parts[placement.part].outline;
-        let lying = outline.iter().map(|&corner| placement.put(corner)).collect();
-        (nest.named[placement.part].alias.as_str(), lying)
-    });
     let title = format!(
         "sheet {} · {}, {} mm · {} by {} mm · {} boards · {:.1} %",
         nest.names[sheet],
@@ -84,7 +80,29 @@ fn picture(nest: &SheetNest, sheet: usize) -> String {
         size: DVec2::new(nest.sheet.length, nest.sheet.width),
         margin: nest.sheet.margin,
         grain: placements.iter().any(|placement| !nest.parts[placement.part].any_quarter),
-        parts: parts.collect(),
+        parts: lying(nest, sheet).collect(),
+    })
+}
+
+/// All sheets for the report, with their boards as they lie.
+pub(super) fn shapes_of(nests: &Nests) -> Vec<SheetShape> {
+    let sheets = nests.sheets.iter().flat_map(|nest| (0..nest.nested.sheets).map(move |sheet| (nest, sheet)));
+    let shape = |(nest, sheet): (&SheetNest, usize)| SheetShape {
+        name: nest.names[sheet].clone(),
+        size: DVec2::new(nest.sheet.length, nest.sheet.width),
+        used: nest.sheet_yield(sheet),
+        parts: lying(nest, sheet).map(|(alias, outline)| (alias.to_owned(), outline)).collect(),
+    };
+    sheets.map(shape).collect()
+}
+
+/// The boards of a sheet: aliases, and outlines as they lie.
+fn lying(nest: &SheetNest, sheet: usize) -> impl Iterator<Item = (&str, Vec<DVec2>)> {
+    let here = nest.nested.placements.iter().filter(move |placement| placement.sheet == sheet);
+    here.map(|placement| {
+        let outline = &nest.parts[placement.part].outline;
+        let lying = outline.iter().map(|&corner| placement.put(corner)).collect();
+        (nest.named[placement.part].alias.as_str(), lying)
     })
 }
 
