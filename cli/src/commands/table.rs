@@ -6,10 +6,11 @@ use std::path::Path;
 
 use ifs_compiler::analysis::{Analysis, Elements, Fabrication, PanelsMade, PlanksMade, value_words};
 use ifs_compiler::geometry::{MeshSummary, QuadMeasure, QuadMesh};
+use ifs_compiler::outputs::nests::Nests;
 use ifs_compiler::planarize::Method;
 
 /// The table, with a final line end.
-pub(super) fn table(analysis: &Analysis, files: &[&str], out: &Path) -> String {
+pub(super) fn table(analysis: &Analysis, nests: &Nests, files: &[&str], out: &Path) -> String {
     let mut text = String::new();
     if let Some(lowered) = &analysis.plan {
         let counted = lowered.plan.figures().iter().zip(&lowered.counts).zip(&lowered.extents);
@@ -27,6 +28,7 @@ pub(super) fn table(analysis: &Analysis, files: &[&str], out: &Path) -> String {
     for made in &analysis.fabrications {
         fabrication(&mut text, made);
     }
+    nest_rows(&mut text, nests);
     // The manifest is one more.
     row(&mut text, "files", &format!("{} in {}", files.len() + 1, out.display()));
     for line in file_lines(files) {
@@ -149,6 +151,39 @@ fn plank_rows(text: &mut String, figure: &str, planks: &PlanksMade) {
     row(text, "  lengths", &range(planks.planks.iter().map(|plank| plank.length), "mm"));
     let mitres = planks.planks.iter().flat_map(|plank| plank.mitres).map(|mitre| mitre.abs().to_degrees());
     row(text, "  mitres", &range(mitres, "deg"));
+}
+
+/// Sheets and bars: how many, what they yield, and below which number nobody gets.
+fn nest_rows(text: &mut String, nests: &Nests) {
+    let share =
+        |share: Option<f64>| share.map_or(String::new(), |share| format!(", yield {:.1} %", 100.0 * share));
+    for nest in &nests.sheets {
+        let (count, sheet) = (nest.nested.sheets, &nest.sheet);
+        let size = format!("{} mm by {} mm", sheet.length, sheet.width);
+        let yielded = share(nest.whole_yield());
+        row(
+            text,
+            "sheets",
+            &format!("{count} of {}, {size}{yielded}, at least {}", nest.material, nest.least),
+        );
+        unplaced(text, nest.nested.unplaced.len());
+    }
+    for nest in &nests.bars {
+        let (count, length) = (nest.sawn.bars.len(), nest.stock.length);
+        let yielded = share(nest.whole_yield());
+        row(
+            text,
+            "bars",
+            &format!("{count} of {}, {length} mm{yielded}, at least {}", nest.material, nest.least),
+        );
+        unplaced(text, nest.sawn.too_long.len());
+    }
+}
+
+fn unplaced(text: &mut String, count: usize) {
+    if count > 0 {
+        row(text, "  unplaced", &format!("{count}, too large: see the list"));
+    }
 }
 
 fn range(values: impl Iterator<Item = f64>, unit: &str) -> String {

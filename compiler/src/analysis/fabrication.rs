@@ -1,9 +1,12 @@
 //! A fabricate block worked out: the figure's elements as boards or planks, planarized first where that is asked for.
 
+mod nest;
 mod panels;
 mod planks;
 mod refusals;
 mod scale;
+
+pub(crate) use nest::{nested_panel, nested_plank};
 
 use super::measures;
 use super::placed::{FigureGeometry, figure_geometry};
@@ -19,6 +22,7 @@ use crate::hir::evaluate::Evaluator;
 use crate::hir::schema::{Measure, SchemaKind};
 use crate::hir::tree::{Fabricate, Hir};
 use crate::hir::value::Value;
+use crate::nest::{bars::Stock, sheets::Sheet};
 use crate::plan::FigurePlan;
 use crate::plan::lower::Lowered;
 use crate::planarize::{Method, Outcome};
@@ -35,8 +39,19 @@ pub struct Fabrication {
     pub elements: Elements,
     /// Settings as worked out.
     pub settings: Vec<SettingValue>,
+    /// What they are cut from together, where that is asked for.
+    pub nest: Option<Nest>,
     /// The requirements in order, measured.
     pub requirements: Vec<RequirementResult>,
+}
+
+/// What the elements of a block are cut from together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Nest {
+    /// Boards from raw boards.
+    Sheets(Sheet),
+    /// Planks from raw bars.
+    Bars(Stock),
 }
 
 /// Boards or planks.
@@ -198,6 +213,7 @@ impl Work<'_> {
             SchemaKind::Planks => Elements::Planks(self.planks()?),
             _ => Elements::Panels(self.panels(&limits)?),
         };
+        let nest = self.nest(&elements)?;
         let requirements = self.block.requirements.iter().zip(limits).map(|(requirement, limit)| {
             let result = measures::measure(&elements, requirement.measure, &limit);
             RequirementResult { measure: requirement.measure, span: requirement.span, limit, result }
@@ -205,7 +221,7 @@ impl Work<'_> {
         let requirements = requirements.collect();
         let figure = self.hir.item(self.block.figure).name.clone();
         let settings = std::mem::take(&mut self.settings);
-        Some(Fabrication { figure, scale: self.scale, elements, settings, requirements })
+        Some(Fabrication { figure, scale: self.scale, elements, settings, nest, requirements })
     }
 
     /// Reports what no figure can hold, and masses that are not known.

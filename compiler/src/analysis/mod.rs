@@ -16,7 +16,8 @@ mod single;
 mod testing;
 mod watch;
 
-pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
+pub use fabrication::{Elements, Fabrication, Nest, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
+pub(crate) use fabrication::{nested_panel, nested_plank};
 pub use load::{Library, MOST_BYTES, MOST_FILES, MeshFile, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry, piece_labels};
 pub use requirements::{LimitValue, RequirementResult, value_words};

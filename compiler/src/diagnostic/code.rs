@@ -197,6 +197,13 @@ codes! {
     E0901 Error "an NC program that cannot be made",
     E0902 Error "an NC program that its read-back refuses",
 
+    // Nesting.
+    E0930 Error "margins that leave no room",
+    E0931 Error "a nest too tight for its tool",
+    W0932 Warning "a part that is too large to be nested",
+    E0933 Error "planks nested without a length of stock",
+    E0934 Error "a nest that its check refuses",
+
     // Tests.
     E1001 Error "an assertion that fails",
     E1002 Error "something that cannot be asked of a figure here",

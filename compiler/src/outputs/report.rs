@@ -1,5 +1,7 @@
 //! The report of a design: its parameters, figures and fabrications, measured.
 
+use super::nests::Nests;
+use super::sheets::{bars_report, sheets_report};
 use super::{design_hash, names, parameter_texts, project_sources};
 use crate::analysis::{Analysis, Elements, Fabrication, LimitValue, PanelsMade, RequirementResult};
 use crate::export::number::Fixed;
@@ -18,8 +20,13 @@ use crate::plan::{Depth, Each, Shape};
 use crate::planarize::{Method, Outcome, Pin, StopReason};
 use sha2::{Digest, Sha256};
 
-/// The report with the parts of each block.
-pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
+/// The report with the parts of each block; `sheet_files` are the extensions of the files made for a sheet.
+pub(super) fn report(
+    analysis: &Analysis,
+    parts: Vec<Vec<Part>>,
+    nests: &Nests,
+    sheet_files: &[&str],
+) -> Report {
     let mut out = Report::new(&analysis.design_name());
     let docs = analysis.files.first().map_or(&[][..], |file| &file.parse.ast.docs);
     let paragraph = docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty());
@@ -59,6 +66,8 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
     }
     let made = analysis.fabrications.iter().zip(parts);
     out.fabrications = made.map(|(made, parts)| fabrication(analysis, made, parts)).collect();
+    out.sheets = nests.sheets.iter().map(|nest| sheets_report(nest, sheet_files)).collect();
+    out.bars = nests.bars.iter().map(bars_report).collect();
     out
 }
 
