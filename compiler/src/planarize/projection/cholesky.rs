@@ -160,8 +160,8 @@ impl Pattern {
                 return None;
             }
         }
-        for column in 0..count {
-            pattern.starts[column + 1] = pattern.starts[column] + counts[column];
+        for (column, entries) in counts.into_iter().enumerate() {
+            pattern.starts[column + 1] = pattern.starts[column] + entries;
         }
         pattern.visited.fill(NONE);
         Some(pattern)
