@@ -7,6 +7,7 @@ use std::path::Path;
 use ifs_compiler::analysis::{Analysis, Elements, Fabrication, PanelsMade, PlanksMade, value_words};
 use ifs_compiler::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 use ifs_compiler::outputs::nests::Nests;
+use ifs_compiler::planarize::Method;
 
 /// The table, with a final line end.
 pub(super) fn table(analysis: &Analysis, nests: &Nests, files: &[&str], out: &Path) -> String {
@@ -118,10 +119,29 @@ fn panel_rows(text: &mut String, figure: &str, panels: &PanelsMade) {
     let planar = panels.figures.iter().all(|figure| figure.planar);
     let planar = if planar { PLANAR } else { "" };
     row(text, "  planarity", &format!("as designed: {}{planar}", words(&before)));
-    if panels.perturbation.is_some() {
+    if let Some(method) = &panels.planarizing {
         let moved = panels.panels.iter().map(|panel| panel.moved).fold(0.0, f64::max);
         row(text, "", &format!("planarized:  {} (moved up to {moved:.1} mm)", words(&after)));
+        row(text, "", &run_words(method, panels));
     }
+}
+
+/// How planarizing went, all surfaces of a block together.
+fn run_words(method: &Method, panels: &PanelsMade) -> String {
+    let name = match method {
+        Method::Perturbation(_) => "perturbation",
+        Method::Projection(_) => "projection",
+    };
+    let outcomes = || panels.figures.iter().filter_map(|figure| figure.outcome.as_ref());
+    let steps: u32 = outcomes().map(|outcome| outcome.iterations).sum();
+    let inverted: usize = outcomes().map(|outcome| outcome.inverted).sum();
+    let moves = || {
+        let pairs = panels.figures.iter().map(|figure| (&figure.designed.vertices, &figure.built.vertices));
+        pairs.flat_map(|(from, to)| from.iter().zip(to)).map(|(from, to)| from.distance(*to))
+    };
+    let mean = moves().sum::<f64>() / moves().count().max(1) as f64;
+    let plural = if steps == 1 { "" } else { "s" };
+    format!("by {name}: {steps} step{plural}, moved {mean:.1} mm on average, {inverted} quads inverted")
 }
 
 fn plank_rows(text: &mut String, figure: &str, planks: &PlanksMade) {

@@ -12,6 +12,7 @@ use super::measures;
 use super::placed::{FigureGeometry, figure_geometry};
 use super::requirements::{LimitValue, RequirementResult, conflicts, evaluate_limit};
 use super::settings::{self, SettingValue};
+use super::watch::Watch;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Corner, Panel, PanelRefusal, PanelSettings, RefusedPanel};
@@ -24,7 +25,7 @@ use crate::hir::value::Value;
 use crate::nest::{bars::Stock, sheets::Sheet};
 use crate::plan::FigurePlan;
 use crate::plan::lower::Lowered;
-use crate::planarize::{Outcome, Perturbation};
+use crate::planarize::{Method, Outcome};
 use glam::DVec3;
 
 /// What a fabricate block makes.
@@ -98,7 +99,7 @@ pub struct PanelsMade {
     /// How they were asked for.
     pub settings: PanelSettings,
     /// How they were planarized, if they were.
-    pub perturbation: Option<Perturbation>,
+    pub planarizing: Option<Method>,
     /// The surfaces, in order.
     pub figures: Vec<PanelFigure>,
     /// All boards, surface by surface.
@@ -158,12 +159,14 @@ pub(super) fn fabricate(
     evaluator: &mut Evaluator<'_>,
     plan: &Lowered,
     block: &Fabricate,
+    watch: &mut dyn Watch,
 ) -> (Option<Fabrication>, Vec<Diagnostic>) {
     let leave_unplanarized = evaluator.leaves_unplanarized();
     let mut work = Work {
         hir,
         plan,
         block,
+        watch,
         scale: 1.0,
         settings: Vec::new(),
         diagnostics: Vec::new(),
@@ -177,6 +180,7 @@ struct Work<'a> {
     hir: &'a Hir,
     plan: &'a Lowered,
     block: &'a Fabricate,
+    watch: &'a mut dyn Watch,
     scale: f64,
     settings: Vec<SettingValue>,
     diagnostics: Vec<Diagnostic>,

@@ -180,6 +180,8 @@ codes! {
     E0817 Error "`require diagonal ratio` fails",
     E0818 Error "`require width` fails",
     E0819 Error "`require area` fails",
+    E0820 Error "a setting of the other method of planarizing",
+    W0826 Warning "planarizing moved vertices far",
     E0830 Error "`require angle` fails",
     E0831 Error "`require bevel` fails",
     E0832 Error "`require mass` fails",

@@ -320,7 +320,7 @@ impl SurfaceSummary {
 /// How planarizing went.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlanarizeReport {
-    /// The method's name: `perturbation`.
+    /// The method's name: `perturbation` or `projection`.
     pub method: &'static str,
     /// Its parameters as they were used, by the names the language has for them.
     pub options: Vec<OptionReport>,
@@ -330,6 +330,8 @@ pub struct PlanarizeReport {
     pub iterations: u32,
     /// The one whose surface was taken.
     pub best_iteration: u32,
+    /// How many quads it inverted: 0.
+    pub inverted: usize,
     /// The start and the figures after each iteration.
     pub history: Vec<HistoryPoint>,
 }

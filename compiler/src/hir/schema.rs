@@ -26,6 +26,12 @@ pub enum ChoiceKind {
     Closed,
     /// How planarizing goes about it.
     PlanarizeMethod,
+    /// The language of a machine's programs.
+    Dialect,
+    /// On which side of the cutter the part lies.
+    CutDirection,
+    /// Where a program's Z is zero.
+    ZZero,
 }
 
 /// One word of a choice.
@@ -41,10 +47,6 @@ const fn now(name: &'static str) -> Word {
     Word { name, available: true }
 }
 
-const fn later(name: &'static str) -> Word {
-    Word { name, available: false }
-}
-
 impl ChoiceKind {
     /// Its words in order; a value of the choice is an index into them.
     pub fn words(self) -> &'static [Word] {
@@ -54,8 +56,14 @@ impl ChoiceKind {
         const ENDS: &[Word] = &[now("square"), now("mitred")];
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];
-        const METHOD: &[Word] = &[now("perturbation"), later("projection")];
+        const METHOD: &[Word] = &[now("perturbation"), now("projection")];
+        const DIALECT: &[Word] = &[now("linuxcnc"), now("grbl"), now("fanuc")];
+        const CUT_DIRECTION: &[Word] = &[now("climb"), now("conventional")];
+        const Z_ZERO: &[Word] = &[now("top_of_stock"), now("table")];
         match self {
+            ChoiceKind::Dialect => DIALECT,
+            ChoiceKind::CutDirection => CUT_DIRECTION,
+            ChoiceKind::ZZero => Z_ZERO,
             ChoiceKind::Side => SIDE,
             ChoiceKind::Grain => GRAIN,
             ChoiceKind::Edges => EDGES,
@@ -189,6 +197,7 @@ fn shop() -> Vec<Setting> {
     vec![
         library("address", "Engraving", false, "how the alias is engraved"),
         library("machine", "Machine", false, "the machine that cuts; without it no NC program is written"),
+        library("fixing", "Fixing", false, "what holds a board while it is cut; else as the machine says"),
         setting(
             "scale",
             Type::Quantity(Dimension::NUMBER),

@@ -5,6 +5,7 @@ mod diagnostics;
 mod drawings;
 mod html;
 mod labels;
+mod machines;
 mod model;
 pub mod names;
 pub mod nests;
@@ -131,7 +132,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
         Ok(nests) => nests,
         Err(diagnostics) => return Outputs::failed(diagnostics),
     };
-    let mut parts = parts::parts(analysis, selection);
+    let mut parts = parts::parts(analysis, &files);
     sheets::mark(&nests, &mut parts);
     if selection.makes(Format::Csv) && !analysis.fabrications.is_empty() {
         lists(analysis, selection, &nests, &parts, &mut files);

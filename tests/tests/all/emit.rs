@@ -138,7 +138,13 @@ fn only_boards_that_fit_are_made() {
     assert_eq!(left_out["outputs"], json!([]));
 
     // One board by its address, one output.
-    let address = manifest(&whole)["files"][0]["address"].as_str().unwrap().to_owned();
+    let address = manifest(&whole)["files"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find_map(|file| file["address"].as_str())
+        .unwrap()
+        .to_owned();
     build(&["--only", &address, "--emit", "dxf"]).good();
     let one = contents(&out);
     assert_eq!(one.len(), 3, "{:?}", one.keys());
