@@ -238,11 +238,16 @@ def check_requirements(made, measured, elements):
         values = [value for address, value in measured[measure] if address in made["addresses"]]
         # Flat boards are counted where bends are, and have none.
         expect(measure == "bend radius" or int(requirement["total"]) == len(values), f"{name}: not {len(values)}")
-        for key, value in (("least", min(values)), ("most", max(values))):
-            # A radius is divided by a fold, which single precision knows to some thousandths of a degree.
-            allowed = value * 5e-3 if measure == "bend radius" else tolerances[requirement["unit"]]
-            near(f"{name} {key}", requirement[key], value, allowed)
         checked += 1
+        if measure == "bend radius":
+            # Curvatures: single precision knows a fold to some thousandths of a degree, and 0 from a little.
+            curvature = lambda radius: 0.0 if radius is None else 1.0 / float(radius)
+            for key, value in (("least", min(values, default=None)), ("most", max(values, default=None))):
+                found = curvature(value)
+                near(f"{name} {key}", curvature(requirement[key]), found, 5e-3 * found + 2e-6)
+            continue
+        for key, value in (("least", min(values)), ("most", max(values))):
+            near(f"{name} {key}", requirement[key], value, tolerances[requirement["unit"]])
     return checked
 
 

@@ -93,6 +93,8 @@ class Page:
             exact = resolve(self.report, at)
             if str(exact) != value and Decimal(value) != exact:
                 self.fault(f"{at} is {exact}, not {value}")
+            if element.get("data-percent") is not None:
+                shown, exact = shown.removesuffix(" %"), exact * 100
             if not is_rounded(shown, exact):
                 self.fault(f"{at} is {exact}, shown as {shown}")
             self.counts["figures"] += 1
