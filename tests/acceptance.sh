@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # The long run, beside tests/run.sh: every fuzz target for some minutes each (10 unless given), from the texts of the tree.
+# Then 10,000 random boards in each dialect of NC programs go before rs274 and shapely.
 # What a target finds lies in fuzz/artifacts/; the smallest form of it belongs into tests/corpus/.
 #   tests/acceptance.sh [MINUTES]
 set -euo pipefail
@@ -21,4 +22,5 @@ fuzz() {
 fuzz parse "${texts[@]}"
 fuzz analyse "${texts[@]}"
 fuzz design
+NC_BOARDS=10000 cargo test --release -p ifs-tests --test all -- nc::random_boards
 echo "acceptance: nothing found in $minutes minutes a target"

@@ -177,9 +177,9 @@ pub enum Emit {
     Dxf,
     /// Parts for timber machines, model.btlx
     Btlx,
-    /// Lists: cutlist.csv, assembly.csv, planarity.csv
+    /// Lists: cutlist.csv, assembly.csv, nest.csv, stock.csv, planarity.csv
     Csv,
-    /// Labels with QR codes, labels.svg
+    /// Labels with QR codes, labels.svg, and pictures of nested sheets, sheets/*.svg
     Svg,
     /// The report for people, report.html
     Html,

@@ -38,6 +38,8 @@ draw model model 35 30 "$boards"
 draw canopy canopy 30 22 "$boards"
 draw folded_shell folded_shell 40 24 "$boards"
 draw rough_shell rough_shell 30 20 "$boards"
+draw rough_vault rough_vault 30 28 planarized
+draw rough_vault rough_vault_designed 30 28 designed
 draw dome dome 20 25 "$boards"
 draw lattice lattice 50 22
 draw column column 25 -12 'tree=#c9a06a'

@@ -93,6 +93,8 @@ class Page:
             exact = resolve(self.report, at)
             if str(exact) != value and Decimal(value) != exact:
                 self.fault(f"{at} is {exact}, not {value}")
+            if element.get("data-percent") is not None:
+                shown, exact = shown.removesuffix(" %"), exact * 100
             if not is_rounded(shown, exact):
                 self.fault(f"{at} is {exact}, shown as {shown}")
             self.counts["figures"] += 1
@@ -156,8 +158,10 @@ class Page:
     def aliases(self, made):
         if made["counts"]["made"] > 2000:
             return
-        shown = {"".join(element.itertext()) for element in self.tree.iter(SVG + "text") if element.get("class") == "cell-text"}
-        shown |= {"".join(cell.itertext()) for cell in self.tree.iter(HTML + "td")}
+        maps = [svg for svg in self.tree.iter(SVG + "svg") if svg.get("aria-label").startswith("Assembly map")]
+        shown = {"".join(text.itertext()) for svg in maps for text in svg.iter(SVG + "text")}
+        lists = [table for table in self.tree.iter(HTML + "table") if table.get("data-rows") is None]
+        shown |= {"".join(cell.itertext()) for table in lists for cell in table.iter(HTML + "td")}
         starts = set(re.findall("Every alias starts with “(.*?)”", "".join(self.tree.itertext()))) | {""}
         drawn = {start + end for start in starts for end in shown}
         for part in made["parts"]:

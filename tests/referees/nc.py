@@ -1,11 +1,16 @@
 """LinuxCNC's rs274 as referee of NC programs: `python nc.py DIR EXPECTED.json`.
 
-EXPECTED.json lists `{"file", "outline": [[x, y], …], "tool_diameter", "thickness", "top"}`, the outline in program
-coordinates (mm) and `top` the Z of the stock's upper face (0 unless said). rs274 must read every file in DIR that is
-listed, with a tool table made from the programs' headers, and every .nc in DIR must be listed. shapely sweeps the
-canonical motion of the cutter: the hole that its full-depth path leaves must be the outline within 0.05 mm, and no cut
-at any depth may reach further into it. Prints one line of JSON with the counts; exit code 1 with the faults on stderr, 2
-if rs274 or shapely is missing.
+EXPECTED.json lists `{"file", "outline": [[x, y], …], "tool_diameter", "thickness"}`, the outline in program coordinates
+(mm), and where they are not the usual: `dialect` (linuxcnc), `top`, the Z of the stock's upper face (0), `floor`, the Z of
+the deepest cut, `tab_top`, the Z to which the deepest pass is raised over tabs. Instead of `file` there may be `files`,
+`[{"file", "tool"}, …]`, of a dialect without tool change; instead of `outline`, `outlines` of a sheet's parts.
+
+rs274 must read every file in DIR that is listed, with a tool table made from the programs' headers, and every .nc in DIR
+must be listed. It is no judge of words of other dialects: there the words are held against a list of the dialect's, made
+here, and rs274 gets what it knows (not the number of a fanuc program) to tell the motion. shapely sweeps the canonical
+motion of the cutter: the hole that its full-depth path leaves must be the outline within 0.05 mm, and no cut at any depth
+may reach further into it. Prints one line of JSON with the counts; exit code 1 with the faults on stderr, 2 if rs274 or
+shapely is missing.
 """
 
 import json
@@ -16,16 +21,53 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from multiprocessing import Pool
 
 try:
     import shapely
-    from shapely.geometry import LineString, Polygon
+    from shapely.geometry import MultiLineString, Polygon
 except ImportError as error:
     sys.exit(print(f"nc.py: {error}: run tests/setup.sh", file=sys.stderr) or 2)
 
 TOLERANCE = 0.05
 CALL = re.compile(r"^\s*\d+\s+N\S*\s+(\w+)\((.*)\)$")
-TOOL = re.compile(r"^\(tool: (\d+) diameter ([\d.]+)")
+TOOL = re.compile(r"^\(tool: (\d+) diameter ([\d.]+)", re.IGNORECASE)
+
+MODES = "G0 G1 G2 G3 G4 G17 G21 G40 G49 G54 G55 G56 G57 G58 G59 G80 G90 G94 M3 M5".split()
+POINT, WHOLE = r"-?\d+\.\d+", r"\d+"
+AXES = {letter: POINT for letter in "XYZIJF"}
+# By dialect: codes, other words by letter and the form of their number, what may stand in a comment.
+DIALECTS = {
+    "linuxcnc": ([*MODES, "G43", "M2", "M6"], {**AXES, "S": POINT, "P": POINT, "T": WHOLE, "H": WHOLE}, r"[ -~]*"),
+    "grbl": ([*MODES, "M2"], {**AXES, "S": POINT, "P": POINT}, r"[^!?~$%;]*"),
+    "fanuc": (
+        [*MODES, "G43", "M6", "M30"],
+        {**AXES, "S": WHOLE, "P": WHOLE, "T": WHOLE, "H": WHOLE, "O": r"\d{4}"},
+        r"[A-Z0-9 +\-:/.#$&'*,<=>?@\"\[\]]*",
+    ),
+}
+
+
+def alien(text, dialect):
+    """The first line that is not of the dialect, or nothing."""
+    codes, words, comment = DIALECTS[dialect]
+    lines = text.splitlines()
+    if dialect == "fanuc":
+        if lines[0] != "%" or lines[-1] != "%" or not re.fullmatch(r"O\d{4}", lines[1]):
+            return "its first and last lines"
+        lines = lines[1:-1]
+    for line in lines:
+        if line.startswith("("):
+            good = line.endswith(")") and re.fullmatch(comment, line[1:-1]) and not re.search(r"[()]", line[1:-1])
+        else:
+            good = all(
+                word in codes or (word[0] in words and re.fullmatch(words[word[0]], word[1:]))
+                for word in line.split(" ")
+            )
+        if not good or len(line) >= 70:
+            return line
+    return None
+
 
 
 def tool_table(text, folder):
@@ -38,10 +80,17 @@ def tool_table(text, folder):
     return tools, path
 
 
-def canonical(rs274, program, folder):
-    """The canonical calls of a program, or what rs274 said against it."""
+def canonical(rs274, program, dialect, folder):
+    """The canonical calls of a program, or what speaks against it."""
     text = open(program, encoding="ascii").read()
     tools, table = tool_table(text, folder)
+    line = alien(text, dialect)
+    if line is not None:
+        return None, tools, f"is no {dialect}: {line}"
+    if dialect == "fanuc":
+        program = os.path.join(folder, "known.ngc")
+        with open(program, "w", encoding="ascii") as file:
+            file.write("\n".join(line for line in text.splitlines() if not line.startswith("O")) + "\n")
     command = [rs274, "-t", table, "-g", os.path.abspath(program)]
     # rs274 keeps its tools in $HOME/.tool.mmap and truncates it at the start: two at once with one home end in SIGBUS.
     home = {**os.environ, "HOME": folder}
@@ -65,9 +114,9 @@ def arc(start, end, centre, turn):
     return [start, *((centre[0] + radius * math.cos(a), centre[1] + radius * math.sin(a)) for a in angles), end]
 
 
-def cuts(calls):
-    """The feed motion: tool, points in X and Y, lowest and highest Z."""
-    at, tool = None, None
+def cuts(calls, tool=None):
+    """The feed motion: tool, points in X and Y, lowest and highest Z; with a tool in the spindle at the start."""
+    at = None
     for name, words in calls:
         if name == "CHANGE_TOOL":
             tool = int(words[0])
@@ -83,42 +132,85 @@ def cuts(calls):
             at = (x, y, z)
 
 
-def swept(paths, radius):
-    lines = [LineString(points).buffer(radius, quad_segs=64) for points in paths if len(set(points)) > 1]
-    return shapely.union_all(lines)
+def lines(paths):
+    return MultiLineString([points for points in paths if len(set(points)) > 1])
 
 
-def faults_of(calls, tools, entry):
-    """What is wrong with the part that the canonical motion cuts, and how far it is from the outline."""
-    outline, radius = Polygon(entry["outline"]), entry["tool_diameter"] / 2
-    top = entry.get("top", 0.0)
-    cutters = [number for number, diameter in tools.items() if abs(diameter - 2 * radius) < 1e-3]
-    motion = [cut for cut in cuts(calls) if cut[0] in cutters]
-    if not motion:
-        return [f"nothing is cut with a tool of {2 * radius} mm"], None
-    # With one tool for both, engraving is what stays in the upper half inside the part.
+def holes_of(full, outlines):
+    """What the full-depth path leaves of each part, and what is wrong with that."""
+    holes = [Polygon(ring) for ring in getattr(full, "interiors", [])]
+    if len(outlines) == 1 and len(holes) != 1:
+        return None, f"the full-depth path leaves {len(holes)} parts, not one"
+    found = []
+    for outline in outlines:
+        # Between the parts of a sheet there are pieces of waste too.
+        inside = outline.representative_point()
+        of_part = [hole for hole in holes if hole.contains(inside)]
+        if len(of_part) != 1:
+            return None, f"the full-depth path leaves {len(of_part)} parts about {inside.wkt}"
+        found += of_part
+    return found, None
+
+
+def faults_of(motion, entry):
+    """What is wrong with the parts that the canonical motion cuts, and how far they are from their outlines."""
+    outlines = [Polygon(points) for points in entry.get("outlines") or [entry["outline"]]]
+    radius, top = entry["tool_diameter"] / 2, entry.get("top", 0.0)
+    # With one tool for both, engraving is what stays in the upper half inside a part.
     shallow = top - entry["thickness"] / 2
-    engraved = lambda cut: cut[2] >= shallow and outline.contains(LineString(cut[1]).centroid)
+    middle = lambda cut: shapely.Point(cut[1][len(cut[1]) // 2 - 1]).union(shapely.Point(cut[1][-1])).centroid
+    engraved = lambda cut: cut[2] >= shallow and any(outline.contains(middle(cut)) for outline in outlines)
     contour = [cut for cut in motion if cut[2] < top - 1e-3 and not engraved(cut)]
+    if not contour:
+        return ["nothing is cut"], None
     lowest = min(cut[2] for cut in contour)
     faults = []
-    if lowest > top - entry["thickness"] + 1e-3:
+    if "floor" in entry and abs(lowest - entry["floor"]) > 2e-3:
+        faults.append(f"cuts to Z {lowest}, not {entry['floor']}")
+    if "floor" not in entry and lowest > top - entry["thickness"] + 1e-3:
         faults.append(f"cuts to Z {lowest}, not through {entry['thickness']} mm")
-    full = swept([cut[1] for cut in contour if cut[3] < lowest + 2e-3], radius)
-    holes = [Polygon(ring) for ring in getattr(full, "interiors", [])]
-    if len(holes) != 1:
-        return [*faults, f"the full-depth path leaves {len(holes)} parts, not one"], None
-    apart = shapely.hausdorff_distance(
-        shapely.segmentize(holes[0].exterior, 1.0), shapely.segmentize(outline.exterior, 1.0)
-    )
-    # Up to the outline's own corners, where the two boundaries run side by side.
-    off = holes[0].symmetric_difference(outline).difference(outline.exterior.buffer(TOLERANCE))
-    if apart > TOLERANCE or not off.is_empty:
-        faults.append(f"the part is {apart:.4f} mm off its outline")
-    gouged = swept([cut[1] for cut in contour], radius).intersection(outline.buffer(-TOLERANCE))
-    if not gouged.is_empty:
-        faults.append(f"cuts {gouged.area:.3f} mm² out of the part above full depth")
-    return faults, apart
+    over_tab = lambda cut: "tab_top" in entry and abs(cut[2] - entry["tab_top"]) < 2e-3 and cut[2] == cut[3]
+    full = lines(cut[1] for cut in contour if cut[3] < lowest + 2e-3 or over_tab(cut)).buffer(radius, quad_segs=24)
+    holes, fault = holes_of(full, outlines)
+    if fault:
+        return [*faults, fault], None
+    worst = 0.0
+    for hole, outline in zip(holes, outlines):
+        apart = shapely.hausdorff_distance(
+            shapely.segmentize(hole.exterior, 2.0), shapely.segmentize(outline.exterior, 2.0)
+        )
+        worst = max(worst, apart)
+        # Up to the outline's own corners, where the two boundaries run side by side.
+        off = hole.symmetric_difference(outline).difference(outline.exterior.buffer(TOLERANCE))
+        if apart > TOLERANCE or not off.is_empty:
+            faults.append(f"the part is {apart:.4f} mm off its outline")
+    paths = lines(cut[1] for cut in contour)
+    for outline in outlines:
+        into = radius - TOLERANCE - paths.distance(outline)
+        if into > 0:
+            faults.append(f"cuts {into + TOLERANCE:.3f} mm into the part above full depth")
+    return faults, worst
+
+
+def judged(task):
+    """The faults of one entry, and how far its parts are from their outlines."""
+    rs274, root, entry = task
+    radius = entry["tool_diameter"] / 2
+    files = entry.get("files") or [{"file": entry["file"], "tool": None}]
+    motion = []
+    with tempfile.TemporaryDirectory() as scratch:
+        for file in files:
+            program = os.path.join(root, file["file"])
+            calls, tools, fault = canonical(rs274, program, entry.get("dialect", "linuxcnc"), scratch)
+            if fault:
+                return [f"{file['file']}: {fault}"], None
+            cutters = [number for number, diameter in tools.items() if abs(diameter - 2 * radius) < 1e-3]
+            motion += [cut for cut in cuts(calls, file["tool"]) if cut[0] in cutters]
+    name = files[0]["file"]
+    if not motion:
+        return [f"{name}: nothing is cut with a tool of {2 * radius} mm"], None
+    found, apart = faults_of(motion, entry)
+    return [f"{name}: {fault}" for fault in found], apart
 
 
 def main():
@@ -137,17 +229,15 @@ def main():
         for file in files
         if file.endswith(".nc")
     }
-    listed = {entry["file"] for entry in entries}
+    names = lambda entry: [file["file"] for file in entry.get("files") or [entry]]
+    listed = {name for entry in entries for name in names(entry)}
     faults = [f"{name}: there and not listed" for name in sorted(there - listed)]
     faults += [f"{name}: listed and not there" for name in sorted(listed - there)]
     worst = 0.0
-    with tempfile.TemporaryDirectory() as scratch:
-        for entry in entries:
-            if entry["file"] not in there:
-                continue
-            calls, tools, fault = canonical(rs274, os.path.join(root, entry["file"]), scratch)
-            found, apart = ([fault], None) if fault else faults_of(calls, tools, entry)
-            faults += [f"{entry['file']}: {fault}" for fault in found]
+    tasks = [(rs274, root, entry) for entry in entries if there.issuperset(names(entry))]
+    with Pool(min(4, os.cpu_count() or 1)) as pool:
+        for found, apart in pool.imap(judged, tasks, chunksize=8):
+            faults += found
             worst = max(worst, apart or 0.0)
     if not entries:
         faults.append("no program is listed")

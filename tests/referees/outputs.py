@@ -14,7 +14,8 @@ import os
 import re
 import sys
 
-KEYS = ["schema", "program", "version", "sources", "parameters", "files"]
+KEYS = ["schema", "program", "version", "sources", "parameters", "left_out", "failed", "files"]
+OPTIONAL = {"left_out", "failed"}
 NUMBER = re.compile(r"[+-]?\d+(\.\d+)?([eE][+-]?\d+)?")
 
 
@@ -74,7 +75,7 @@ def json_faults(data):
 
 def manifest_faults(manifest):
     faults = []
-    if list(manifest) != KEYS:
+    if list(manifest) != [key for key in KEYS if key in manifest or key not in OPTIONAL]:
         faults.append(f"keys {list(manifest)}")
     for part in ("files", "sources"):
         paths = [entry["path"] for entry in manifest.get(part, [])]

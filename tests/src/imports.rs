@@ -9,6 +9,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
     ("source", &[]),
     ("geometry", &[]),
     ("gltf", &[]),
+    ("nest", &[]),
     ("diagnostic", &["source"]),
     ("syntax", &["source", "diagnostic", "exact"]),
     ("ifs", &["exact"]),
@@ -16,7 +17,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
     ("plan", &["hir", "ifs", "geometry", "exact", "diagnostic", "source"]),
     ("planarize", &["geometry"]),
     ("fabricate", &["geometry", "planarize", "plan", "diagnostic", "source", "exact"]),
-    ("export", &["fabricate", "geometry", "planarize", "plan"]),
+    ("export", &["fabricate", "geometry", "nest", "planarize", "plan"]),
     ("readback", &["fabricate"]),
     ("verify", &["readback", "fabricate"]),
     (
@@ -33,6 +34,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
             "plan",
             "planarize",
             "fabricate",
+            "nest",
         ],
     ),
     (
@@ -44,6 +46,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
             "fabricate",
             "geometry",
             "hir",
+            "nest",
             "plan",
             "planarize",
             "readback",

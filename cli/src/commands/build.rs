@@ -5,6 +5,7 @@ use std::path::Path;
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::Diagnostic;
+use ifs_compiler::outputs::nests::Nests;
 use ifs_compiler::outputs::{
     DIAGNOSTICS, Format, LeftOut, Output, Selection, board_names, diagnostics_json, outputs, parameter_texts,
     project_sources,
@@ -50,7 +51,7 @@ pub fn build(build: &Build, format: MessageFormat) -> Exit {
         return failed(told.exit, &selection, &out, &analysis, &all);
     }
     match write(&out, &analysis, &made.files, selection.left_out(&analysis)) {
-        Ok(committed) => finish(&analysis, &committed, &out, format),
+        Ok(committed) => finish(&analysis, &made.nests, &committed, &out, format),
         Err(error) => not_written(&error),
     }
 }
@@ -144,7 +145,13 @@ fn write(
     staging.commit(&Provenance { left_out: LeftOutRecord::of(left_out), ..provenance(analysis) })
 }
 
-fn finish(analysis: &Analysis, committed: &Committed, out: &Path, format: MessageFormat) -> Exit {
+fn finish(
+    analysis: &Analysis,
+    nests: &Nests,
+    committed: &Committed,
+    out: &Path,
+    format: MessageFormat,
+) -> Exit {
     for name in &committed.foreign {
         output::message(&format!("note: kept {name}, which no build wrote\n"));
     }
@@ -155,5 +162,5 @@ fn finish(analysis: &Analysis, committed: &Committed, out: &Path, format: Messag
         return Exit::Good;
     }
     let files: Vec<&str> = committed.manifest.files.iter().map(|file| file.path.as_str()).collect();
-    output::data(&table::table(analysis, &files, out)).err().unwrap_or(Exit::Good)
+    output::data(&table::table(analysis, nests, &files, out)).err().unwrap_or(Exit::Good)
 }

@@ -6,9 +6,11 @@ use std::path::Path;
 
 use ifs_compiler::analysis::{Analysis, Elements, Fabrication, PanelsMade, PlanksMade, value_words};
 use ifs_compiler::geometry::{MeshSummary, QuadMeasure, QuadMesh};
+use ifs_compiler::outputs::nests::Nests;
+use ifs_compiler::planarize::Method;
 
 /// The table, with a final line end.
-pub(super) fn table(analysis: &Analysis, files: &[&str], out: &Path) -> String {
+pub(super) fn table(analysis: &Analysis, nests: &Nests, files: &[&str], out: &Path) -> String {
     let mut text = String::new();
     if let Some(lowered) = &analysis.plan {
         let counted = lowered.plan.figures().iter().zip(&lowered.counts).zip(&lowered.extents);
@@ -26,6 +28,7 @@ pub(super) fn table(analysis: &Analysis, files: &[&str], out: &Path) -> String {
     for made in &analysis.fabrications {
         fabrication(&mut text, made);
     }
+    nest_rows(&mut text, nests);
     // The manifest is one more.
     row(&mut text, "files", &format!("{} in {}", files.len() + 1, out.display()));
     for line in file_lines(files) {
@@ -116,10 +119,29 @@ fn panel_rows(text: &mut String, figure: &str, panels: &PanelsMade) {
     let planar = panels.figures.iter().all(|figure| figure.planar);
     let planar = if planar { PLANAR } else { "" };
     row(text, "  planarity", &format!("as designed: {}{planar}", words(&before)));
-    if panels.perturbation.is_some() {
+    if let Some(method) = &panels.planarizing {
         let moved = panels.panels.iter().map(|panel| panel.moved).fold(0.0, f64::max);
         row(text, "", &format!("planarized:  {} (moved up to {moved:.1} mm)", words(&after)));
+        row(text, "", &run_words(method, panels));
     }
+}
+
+/// How planarizing went, all surfaces of a block together.
+fn run_words(method: &Method, panels: &PanelsMade) -> String {
+    let name = match method {
+        Method::Perturbation(_) => "perturbation",
+        Method::Projection(_) => "projection",
+    };
+    let outcomes = || panels.figures.iter().filter_map(|figure| figure.outcome.as_ref());
+    let steps: u32 = outcomes().map(|outcome| outcome.iterations).sum();
+    let inverted: usize = outcomes().map(|outcome| outcome.inverted).sum();
+    let moves = || {
+        let pairs = panels.figures.iter().map(|figure| (&figure.designed.vertices, &figure.built.vertices));
+        pairs.flat_map(|(from, to)| from.iter().zip(to)).map(|(from, to)| from.distance(*to))
+    };
+    let mean = moves().sum::<f64>() / moves().count().max(1) as f64;
+    let plural = if steps == 1 { "" } else { "s" };
+    format!("by {name}: {steps} step{plural}, moved {mean:.1} mm on average, {inverted} quads inverted")
 }
 
 fn plank_rows(text: &mut String, figure: &str, planks: &PlanksMade) {
@@ -129,6 +151,39 @@ fn plank_rows(text: &mut String, figure: &str, planks: &PlanksMade) {
     row(text, "  lengths", &range(planks.planks.iter().map(|plank| plank.length), "mm"));
     let mitres = planks.planks.iter().flat_map(|plank| plank.mitres).map(|mitre| mitre.abs().to_degrees());
     row(text, "  mitres", &range(mitres, "deg"));
+}
+
+/// Sheets and bars: how many, what they yield, and below which number nobody gets.
+fn nest_rows(text: &mut String, nests: &Nests) {
+    let share =
+        |share: Option<f64>| share.map_or(String::new(), |share| format!(", yield {:.1} %", 100.0 * share));
+    for nest in &nests.sheets {
+        let (count, sheet) = (nest.nested.sheets, &nest.sheet);
+        let size = format!("{} mm by {} mm", sheet.length, sheet.width);
+        let yielded = share(nest.whole_yield());
+        row(
+            text,
+            "sheets",
+            &format!("{count} of {}, {size}{yielded}, at least {}", nest.material, nest.least),
+        );
+        unplaced(text, nest.nested.unplaced.len());
+    }
+    for nest in &nests.bars {
+        let (count, length) = (nest.sawn.bars.len(), nest.stock.length);
+        let yielded = share(nest.whole_yield());
+        row(
+            text,
+            "bars",
+            &format!("{count} of {}, {length} mm{yielded}, at least {}", nest.material, nest.least),
+        );
+        unplaced(text, nest.sawn.too_long.len());
+    }
+}
+
+fn unplaced(text: &mut String, count: usize) {
+    if count > 0 {
+        row(text, "  unplaced", &format!("{count}, too large: see the list"));
+    }
 }
 
 fn range(values: impl Iterator<Item = f64>, unit: &str) -> String {

@@ -1,14 +1,18 @@
 //! A fabricate block worked out: the figure's elements as boards or planks, planarized first where that is asked for.
 
+mod nest;
 mod panels;
 mod planks;
 mod refusals;
 mod scale;
 
+pub(crate) use nest::{nested_panel, nested_plank};
+
 use super::measures;
 use super::placed::{FigureGeometry, figure_geometry};
 use super::requirements::{LimitValue, RequirementResult, conflicts, evaluate_limit};
 use super::settings::{self, SettingValue};
+use super::watch::Watch;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Corner, Panel, PanelRefusal, PanelSettings, RefusedPanel};
@@ -18,9 +22,10 @@ use crate::hir::evaluate::Evaluator;
 use crate::hir::schema::{Measure, SchemaKind};
 use crate::hir::tree::{Fabricate, Hir};
 use crate::hir::value::Value;
+use crate::nest::{bars::Stock, sheets::Sheet};
 use crate::plan::FigurePlan;
 use crate::plan::lower::Lowered;
-use crate::planarize::{Outcome, Perturbation};
+use crate::planarize::{Method, Outcome};
 use glam::DVec3;
 
 /// What a fabricate block makes.
@@ -34,8 +39,19 @@ pub struct Fabrication {
     pub elements: Elements,
     /// Settings as worked out.
     pub settings: Vec<SettingValue>,
+    /// What they are cut from together, where that is asked for.
+    pub nest: Option<Nest>,
     /// The requirements in order, measured.
     pub requirements: Vec<RequirementResult>,
+}
+
+/// What the elements of a block are cut from together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Nest {
+    /// Boards from raw boards.
+    Sheets(Sheet),
+    /// Planks from raw bars.
+    Bars(Stock),
 }
 
 /// Boards or planks.
@@ -83,7 +99,7 @@ pub struct PanelsMade {
     /// How they were asked for.
     pub settings: PanelSettings,
     /// How they were planarized, if they were.
-    pub perturbation: Option<Perturbation>,
+    pub planarizing: Option<Method>,
     /// The surfaces, in order.
     pub figures: Vec<PanelFigure>,
     /// All boards, surface by surface.
@@ -143,12 +159,14 @@ pub(super) fn fabricate(
     evaluator: &mut Evaluator<'_>,
     plan: &Lowered,
     block: &Fabricate,
+    watch: &mut dyn Watch,
 ) -> (Option<Fabrication>, Vec<Diagnostic>) {
     let leave_unplanarized = evaluator.leaves_unplanarized();
     let mut work = Work {
         hir,
         plan,
         block,
+        watch,
         scale: 1.0,
         settings: Vec::new(),
         diagnostics: Vec::new(),
@@ -162,6 +180,7 @@ struct Work<'a> {
     hir: &'a Hir,
     plan: &'a Lowered,
     block: &'a Fabricate,
+    watch: &'a mut dyn Watch,
     scale: f64,
     settings: Vec<SettingValue>,
     diagnostics: Vec<Diagnostic>,
@@ -194,6 +213,7 @@ impl Work<'_> {
             SchemaKind::Planks => Elements::Planks(self.planks()?),
             _ => Elements::Panels(self.panels(&limits)?),
         };
+        let nest = self.nest(&elements)?;
         let requirements = self.block.requirements.iter().zip(limits).map(|(requirement, limit)| {
             let result = measures::measure(&elements, requirement.measure, &limit);
             RequirementResult { measure: requirement.measure, span: requirement.span, limit, result }
@@ -201,7 +221,7 @@ impl Work<'_> {
         let requirements = requirements.collect();
         let figure = self.hir.item(self.block.figure).name.clone();
         let settings = std::mem::take(&mut self.settings);
-        Some(Fabrication { figure, scale: self.scale, elements, settings, requirements })
+        Some(Fabrication { figure, scale: self.scale, elements, settings, nest, requirements })
     }
 
     /// Reports what no figure can hold, and masses that are not known.

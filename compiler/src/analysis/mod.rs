@@ -8,19 +8,23 @@ mod measures;
 mod mend;
 pub mod parameters;
 mod placed;
+mod planarizing;
 pub mod project;
 mod requirements;
 mod settings;
 mod single;
 mod testing;
+mod watch;
 
-pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
+pub use fabrication::{Elements, Fabrication, Nest, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
+pub(crate) use fabrication::{nested_panel, nested_plank};
 pub use load::{Library, MOST_BYTES, MOST_FILES, MeshFile, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry, piece_labels};
 pub use requirements::{LimitValue, RequirementResult, value_words};
 pub(crate) use settings::{field, number, text};
 pub use single::{SingleText, single};
 pub use testing::{TestResult, Verdict, run_tests};
+pub use watch::{Unwatched, Watch};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
 use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
@@ -80,18 +84,33 @@ impl Analysis {
 
 /// Analyses a design: the file `root`, with parameters set from outside.
 pub fn analyse(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
-    work_out(read(files, root, overrides), overrides)
+    analyse_watched(files, root, overrides, &mut Unwatched)
+}
+
+/// The same, telling how far it is where it takes long.
+pub fn analyse_watched(
+    files: &dyn Files,
+    root: &str,
+    overrides: &Overrides,
+    watch: &mut dyn Watch,
+) -> Analysis {
+    work_out_watched(read(files, root, overrides), overrides, watch)
 }
 
 /// What has been read, worked out to its boards.
-pub fn work_out(mut analysis: Analysis, overrides: &Overrides) -> Analysis {
+pub fn work_out(analysis: Analysis, overrides: &Overrides) -> Analysis {
+    work_out_watched(analysis, overrides, &mut Unwatched)
+}
+
+/// The same, telling how far it is where it takes long.
+pub fn work_out_watched(mut analysis: Analysis, overrides: &Overrides, watch: &mut dyn Watch) -> Analysis {
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(std::mem::take(&mut analysis.diagnostics));
     // A design with errors is not worked out: what it means is not known. But each ifs stands for itself.
     if diagnostics.has_errors() {
         diagnostics.extend(check_weights(&analysis.hir, overrides));
     } else {
-        let evaluated = evaluate(&analysis.hir, overrides, true);
+        let evaluated = evaluate(&analysis.hir, overrides, true, watch);
         diagnostics.extend(evaluated.diagnostics);
         analysis.parameters = evaluated.parameters;
         analysis.plan = evaluated.plan;
@@ -177,7 +196,7 @@ struct Evaluated {
 }
 
 /// Works a typed design out; `mend` says whether remedies are looked for where requirements fail.
-fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
+fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch) -> Evaluated {
     let mut evaluator = Evaluator::new(hir, overrides);
     evaluator.report_untyped();
     let mut diagnostics = Diagnostics::default();
@@ -187,7 +206,7 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
     let mut fabrications = Vec::new();
     if let Some(plan) = &plan {
         for block in &hir.fabricates {
-            let (made, found) = fabrication::fabricate(hir, &mut evaluator, plan, block);
+            let (made, found) = fabrication::fabricate(hir, &mut evaluator, plan, block, watch);
             diagnostics.extend(found);
             fabrications.extend(made);
         }

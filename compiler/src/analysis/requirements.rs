@@ -41,6 +41,16 @@ impl LimitValue {
             _ => None,
         }
     }
+
+    /// The largest value that holds, where there is one.
+    pub(super) fn most(&self) -> Option<f64> {
+        match self {
+            LimitValue::Plain(Limit::AtMost(most) | Limit::Within(_, most) | Limit::Below(most)) => {
+                Some(*most)
+            }
+            _ => None,
+        }
+    }
 }
 
 /// A requirement, measured.

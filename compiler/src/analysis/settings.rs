@@ -1,10 +1,8 @@
-//! The settings of a fabricate block as the workshop's types: materials, machines, planarizing.
+//! The settings of a fabricate block as the workshop's types: materials and machines. Planarizing is in `planarizing`.
 
-use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::material::{LeastBendRadius, Material};
 use crate::hir::tree::{Hir, ItemKind};
 use crate::hir::value::Value;
-use crate::planarize::{Perturbation, Pin};
 use crate::source::Span;
 
 /// A setting worked out: its name, its value, where the value stands.
@@ -64,53 +62,4 @@ pub(super) fn choice(value: Option<&SettingValue>) -> Option<usize> {
         Some((_, Value::Choice(_, place), _)) => Some(*place),
         _ => None,
     }
-}
-
-/// The parameters of the perturbation method; `goal` is the block's `require planarity`.
-pub(super) fn perturbation(
-    settings: &Value,
-    span: Span,
-    goal: Option<f64>,
-) -> Result<Perturbation, Diagnostic> {
-    let Value::Settings(settings) = settings else {
-        return Perturbation::try_new(Perturbation::default())
-            .map_err(|error| wrong(span, &error.to_string()));
-    };
-    let find = |name: &str| settings.iter().find(|(known, _, _)| *known == name);
-    let number =
-        |name: &str, default: f64| find(name).and_then(|(_, value, _)| value.number()).unwrap_or(default);
-    let default = Perturbation::default();
-    let pin = match choice(find("pin")) {
-        Some(1) => Pin::None,
-        Some(2) => Pin::Corners,
-        Some(_) => Pin::Boundary,
-        None => default.pin,
-    };
-    // An error names its parameter in backticks; it stands at that one where it was given.
-    let refused = |why: &str| {
-        let named =
-            why.split('`').nth(1).and_then(|name| find(if name == "move_length" { "move" } else { name }));
-        wrong(named.map_or(span, |(_, _, place)| *place), why)
-    };
-    let iterations = number("iterations", f64::from(default.iterations));
-    if iterations < 0.0 {
-        return Err(refused(&format!("`iterations` is a number of steps, 0 or more, but is {iterations}")));
-    }
-    let iterations = iterations.min(f64::from(u32::MAX)) as u32;
-    let given = Perturbation {
-        worst: number("worst", default.worst),
-        average: number("average", default.average),
-        select: number("select", default.select),
-        threshold: number("threshold", goal.unwrap_or(default.threshold)),
-        step: number("step", default.step),
-        move_length: number("move", default.move_length),
-        iterations,
-        pin,
-    };
-    Perturbation::try_new(given).map_err(|error| refused(&error.to_string()))
-}
-
-fn wrong(span: Span, why: &str) -> Diagnostic {
-    let message = format!("planarizing cannot work with these settings: {why}");
-    Diagnostic::new(Code::E0804, span, message).label("cannot be used")
 }

@@ -180,6 +180,8 @@ codes! {
     E0817 Error "`require diagonal ratio` fails",
     E0818 Error "`require width` fails",
     E0819 Error "`require area` fails",
+    E0820 Error "a setting of the other method of planarizing",
+    W0826 Warning "planarizing moved vertices far",
     E0830 Error "`require angle` fails",
     E0831 Error "`require bevel` fails",
     E0832 Error "`require mass` fails",
@@ -194,6 +196,13 @@ codes! {
     // NC programs.
     E0901 Error "an NC program that cannot be made",
     E0902 Error "an NC program that its read-back refuses",
+
+    // Nesting.
+    E0930 Error "margins that leave no room",
+    E0931 Error "a nest too tight for its tool",
+    W0932 Warning "a part that is too large to be nested",
+    E0933 Error "planks nested without a length of stock",
+    E0934 Error "a nest that its check refuses",
 
     // Tests.
     E1001 Error "an assertion that fails",

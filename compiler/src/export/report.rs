@@ -2,6 +2,7 @@
 //! time, no path outside the output folder, no user.
 
 mod distribution;
+mod nest;
 mod requirement;
 
 use serde::Serialize;
@@ -13,6 +14,7 @@ use crate::geometry::summary::Extreme;
 use crate::geometry::{MeshSummary, QuadMesh};
 
 pub use distribution::{BINS, Distribution};
+pub use nest::{BarReport, BarsReport, SheetReport, SheetsReport, UnplacedReport};
 pub use requirement::{LimitReport, Quantity, Requirement, WorstReport};
 
 /// The version of the schema. It rises when a field goes or changes its meaning.
@@ -39,6 +41,10 @@ pub struct Report {
     pub figures: Vec<FigureReport>,
     /// What was made of them.
     pub fabrications: Vec<Fabrication>,
+    /// The sheets that boards are nested on.
+    pub sheets: Vec<SheetsReport>,
+    /// The bars that planks are cut out of.
+    pub bars: Vec<BarsReport>,
 }
 
 impl Report {
@@ -55,6 +61,8 @@ impl Report {
             parameters: Vec::new(),
             figures: Vec::new(),
             fabrications: Vec::new(),
+            sheets: Vec::new(),
+            bars: Vec::new(),
         }
     }
 
@@ -312,7 +320,7 @@ impl SurfaceSummary {
 /// How planarizing went.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlanarizeReport {
-    /// The method's name: `perturbation`.
+    /// The method's name: `perturbation` or `projection`.
     pub method: &'static str,
     /// Its parameters as they were used, by the names the language has for them.
     pub options: Vec<OptionReport>,
@@ -322,6 +330,8 @@ pub struct PlanarizeReport {
     pub iterations: u32,
     /// The one whose surface was taken.
     pub best_iteration: u32,
+    /// How many quads it inverted: 0.
+    pub inverted: usize,
     /// The start and the figures after each iteration.
     pub history: Vec<HistoryPoint>,
 }

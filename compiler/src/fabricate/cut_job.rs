@@ -1,5 +1,9 @@
-//! What is to be cut: one flat part and what its program has to say about it. Plain data; `toolpath::program`
-//! checks it, and `readback` holds programs against it.
+//! What is to be cut: a flat part and what its program has to say about it, or several placed on a sheet. Plain data;
+//! `toolpath` checks it, and `readback` holds programs against it.
+
+mod sheet;
+
+pub use sheet::{MAX_PARTS, Placed, Rotation, Sheet};
 
 use glam::DVec2;
 

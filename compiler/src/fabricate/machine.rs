@@ -4,11 +4,16 @@
 //! Inside: millimetres, seconds, feeds in mm/s, spindle speeds in revolutions per second. Only the written program
 //! speaks of mm/min and rpm.
 
-use glam::DVec3;
-use std::fmt;
-
+mod dialect;
+mod fixing;
 #[cfg(test)]
 pub(crate) mod tests;
+
+pub use dialect::{CommentRule, Dialect, DwellUnit, LAST_PROGRAM_NUMBER, LengthOffset, Profile};
+pub use fixing::{Clamp, Fixing};
+
+use glam::DVec3;
+use std::fmt;
 
 /// Where the program's Z = 0 lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,13 +52,6 @@ pub enum CutDirection {
     Climb,
     /// Part on the left: an outer contour runs anticlockwise.
     Conventional,
-}
-
-/// The dialect of NC text the machine reads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dialect {
-    /// LinuxCNC's RS274/NGC.
-    LinuxCnc,
 }
 
 /// One tool of the magazine.
@@ -102,6 +100,12 @@ pub struct MachineSpec {
     pub spin_up: f64,
     /// Climb or conventional.
     pub direction: CutDirection,
+    /// Stock that passes leave beside the part for a last pass at full depth to take, mm; none if 0.
+    pub allowance: f64,
+    /// What holds the part.
+    pub fixing: Fixing,
+    /// Where no tool may go.
+    pub clamps: Vec<Clamp>,
     /// The NC dialect.
     pub dialect: Dialect,
     /// The magazine.
@@ -179,10 +183,13 @@ impl Machine {
                 return Err(MachineError::RepeatedTool(tool.number));
             }
         }
+        spec.fixing.check()?;
+        spec.clamps.iter().try_for_each(|clamp| clamp.check(spec.safe_height))?;
         let find = |number: u32| {
             spec.tools.iter().position(|t| t.number == number).ok_or(MachineError::MissingTool(number))
         };
         let (cutter, engraver) = (find(spec.cutter)?, find(spec.engraver)?);
+        within("finishing allowance", spec.allowance, 0.0, spec.tools[cutter].diameter / 2.0)?;
         let tool = &spec.tools[engraver];
         let deepest = tool.max_step_down.min(tool.flute_length);
         within("engraving depth", spec.engrave_depth, 0.05, deepest)?;
@@ -222,10 +229,38 @@ impl Machine {
         self.top(thickness) + self.spec.safe_height
     }
 
-    /// Program Z of the deepest cut through a stock of this thickness, mm.
+    /// Program Z of the deepest cut in a stock of this thickness, mm: through it, or down to the onion skin.
     #[must_use]
     pub fn bottom(&self, thickness: f64) -> f64 {
-        self.top(thickness) - thickness - self.spec.cut_through
+        let left = match self.spec.fixing {
+            Fixing::OnionSkin { thickness } => thickness,
+            Fixing::Held | Fixing::Tabs { .. } => -self.spec.cut_through,
+        };
+        self.top(thickness) - thickness + left
+    }
+
+    /// Program Z of the upper side of tabs in a stock of this thickness, mm, where there are tabs.
+    #[must_use]
+    pub fn tab_top(&self, thickness: f64) -> Option<f64> {
+        match self.spec.fixing {
+            Fixing::Tabs { height, .. } => Some(self.top(thickness) - thickness + height),
+            Fixing::Held | Fixing::OnionSkin { .. } => None,
+        }
+    }
+
+    /// How far the outline of a board lies from the edges of a stock that is cut for it alone, mm: the stock margin,
+    /// one cutter diameter, and the finishing allowance.
+    #[must_use]
+    pub fn border(&self) -> f64 {
+        self.spec.stock_margin + self.cutter().diameter + self.spec.allowance
+    }
+
+    /// The same machine with its parts held otherwise.
+    ///
+    /// # Errors
+    /// Figures of the fixing that are out of range.
+    pub fn with_fixing(&self, fixing: Fixing) -> Result<Machine, MachineError> {
+        Machine::try_new(MachineSpec { fixing, ..self.spec.clone() })
     }
 }
 

@@ -26,6 +26,12 @@ pub enum ChoiceKind {
     Closed,
     /// How planarizing goes about it.
     PlanarizeMethod,
+    /// The language of a machine's programs.
+    Dialect,
+    /// On which side of the cutter the part lies.
+    CutDirection,
+    /// Where a program's Z is zero.
+    ZZero,
 }
 
 /// One word of a choice.
@@ -41,10 +47,6 @@ const fn now(name: &'static str) -> Word {
     Word { name, available: true }
 }
 
-const fn later(name: &'static str) -> Word {
-    Word { name, available: false }
-}
-
 impl ChoiceKind {
     /// Its words in order; a value of the choice is an index into them.
     pub fn words(self) -> &'static [Word] {
@@ -54,8 +56,14 @@ impl ChoiceKind {
         const ENDS: &[Word] = &[now("square"), now("mitred")];
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];
-        const METHOD: &[Word] = &[now("perturbation"), later("projection")];
+        const METHOD: &[Word] = &[now("perturbation"), now("projection")];
+        const DIALECT: &[Word] = &[now("linuxcnc"), now("grbl"), now("fanuc")];
+        const CUT_DIRECTION: &[Word] = &[now("climb"), now("conventional")];
+        const Z_ZERO: &[Word] = &[now("top_of_stock"), now("table")];
         match self {
+            ChoiceKind::Dialect => DIALECT,
+            ChoiceKind::CutDirection => CUT_DIRECTION,
+            ChoiceKind::ZZero => Z_ZERO,
             ChoiceKind::Side => SIDE,
             ChoiceKind::Grain => GRAIN,
             ChoiceKind::Edges => EDGES,
@@ -81,6 +89,10 @@ pub enum SchemaKind {
     Planks,
     /// `planarize: { … }`
     Planarize,
+    /// `nest: { … }` of panels
+    Sheets,
+    /// `nest: { … }` of planks
+    Bars,
 }
 
 /// What a setting takes.
@@ -90,8 +102,6 @@ pub enum SettingType {
     Of(Type),
     /// A record of the library by its name.
     Library(&'static str),
-    /// A setting of the language that the program cannot do yet.
-    Later,
 }
 
 /// One setting.
@@ -115,10 +125,6 @@ fn library(name: &'static str, record: &'static str, required: bool, doc: &'stat
     Setting { name, ty: SettingType::Library(record), required, doc }
 }
 
-fn not_yet(name: &'static str, doc: &'static str) -> Setting {
-    Setting { name, ty: SettingType::Later, required: false, doc }
-}
-
 impl SchemaKind {
     /// What the block is called in messages.
     pub fn name(self) -> &'static str {
@@ -126,6 +132,8 @@ impl SchemaKind {
             SchemaKind::Panels => "panels",
             SchemaKind::Planks => "planks",
             SchemaKind::Planarize => "planarize",
+            SchemaKind::Sheets => "nests of panels",
+            SchemaKind::Bars => "nests of planks",
         }
     }
 
@@ -135,6 +143,8 @@ impl SchemaKind {
             SchemaKind::Panels => panels(),
             SchemaKind::Planks => planks(),
             SchemaKind::Planarize => planarize(),
+            SchemaKind::Sheets => sheets(),
+            SchemaKind::Bars => bars(),
         }
     }
 
@@ -157,6 +167,7 @@ fn panels() -> Vec<Setting> {
         setting("grain", Type::Choice(ChoiceKind::Grain), false, "the direction the grain runs"),
         setting("edges", Type::Choice(ChoiceKind::Edges), false, "how the edges are cut"),
         setting("planarize", Type::Settings(SchemaKind::Planarize), false, "make the quads flat first"),
+        setting("nest", Type::Settings(SchemaKind::Sheets), false, "lay the boards out on raw boards"),
     ];
     settings.extend(shop());
     settings
@@ -176,6 +187,7 @@ fn planks() -> Vec<Setting> {
         ),
         setting("last", Type::Cut, false, "where the last plank of a curve ends: square, or cut to a plane"),
         setting("gap", Type::LENGTH, false, "how much each side of a joint is shortened"),
+        setting("nest", Type::Settings(SchemaKind::Bars), false, "cut the planks out of raw bars"),
     ];
     settings.extend(shop());
     settings
@@ -185,13 +197,13 @@ fn shop() -> Vec<Setting> {
     vec![
         library("address", "Engraving", false, "how the alias is engraved"),
         library("machine", "Machine", false, "the machine that cuts; without it no NC program is written"),
+        library("fixing", "Fixing", false, "what holds a board while it is cut; else as the machine says"),
         setting(
             "scale",
             Type::Quantity(Dimension::NUMBER),
             false,
             "makes a model: the geometry is that much smaller, thickness and tools are not",
         ),
-        not_yet("nest", "nesting on sheets"),
     ]
 }
 
@@ -207,5 +219,19 @@ fn planarize() -> Vec<Setting> {
         setting("move", Type::LENGTH, false, "the length of the first move"),
         setting("iterations", Type::Int, false, "how many iterations at most"),
         setting("pin", Type::Choice(ChoiceKind::Pin), false, "which vertices stay in place"),
+    ]
+}
+
+fn sheets() -> Vec<Setting> {
+    vec![
+        setting("gap", Type::LENGTH, false, "the least distance between boards"),
+        setting("margin", Type::LENGTH, false, "the least distance from the edge of the raw board"),
+    ]
+}
+
+fn bars() -> Vec<Setting> {
+    vec![
+        setting("kerf", Type::LENGTH, false, "what the saw blade takes"),
+        setting("trim", Type::LENGTH, false, "what is left aside at each end of a raw bar"),
     ]
 }

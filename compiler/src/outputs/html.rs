@@ -1,12 +1,14 @@
 //! `report.html`: the report with the shapes of the analysis.
 
 use super::model::{built_planarity, plain_figures};
+use super::nests::Nests;
+use super::sheets::shapes_of;
 use crate::analysis::{
     Analysis, Elements, Fabrication, FigureGeometry, PanelsMade, PlanksMade, figure_geometry,
 };
 use crate::export::html::{self, CurveShape, Document, Made, PanelShapes, Plain, PlankShapes, SurfaceShape};
 use crate::export::report::Report;
-use crate::plan::evaluate::PiecesEvaluator;
+use crate::plan::evaluate::{GermShape, PiecesEvaluator};
 use glam::DVec3;
 use std::convert::Infallible;
 
@@ -17,11 +19,11 @@ const MOST_PLAIN: usize = 48_000;
 const POLYGON: usize = 4;
 
 /// The bytes of `report.html`.
-pub(super) fn html(analysis: &Analysis, report: &Report) -> String {
+pub(super) fn html(analysis: &Analysis, report: &Report, nests: &Nests) -> String {
     let made = analysis.fabrications.iter().map(|made| shapes(analysis, made)).collect();
     let mut left = MOST_PLAIN;
     let plain = plain_figures(analysis).filter_map(|place| plain(analysis, place, &mut left)).collect();
-    html::html(&Document { report, made, plain, sheets: Vec::new() })
+    html::html(&Document { report, made, plain, sheets: shapes_of(nests) })
 }
 
 fn shapes<'a>(analysis: &'a Analysis, made: &'a Fabrication) -> Made<'a> {
@@ -86,7 +88,6 @@ fn plain(analysis: &Analysis, place: usize, left: &mut usize) -> Option<Plain> {
 }
 
 fn pieces(evaluator: &PiecesEvaluator, plain: &mut Plain, left: &mut usize) {
-    use crate::ifs::GermShape;
     let mut vertices = Vec::new();
     let Ok(()) = evaluator.stream(|tile| {
         for element in tile.elements() {

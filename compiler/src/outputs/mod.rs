@@ -5,13 +5,16 @@ mod diagnostics;
 mod drawings;
 mod html;
 mod labels;
+mod machines;
 mod model;
 pub mod names;
+pub mod nests;
 mod parts;
 mod place;
 mod programs;
 mod report;
 mod selection;
+mod sheets;
 mod timber;
 
 pub use diagnostics::{DIAGNOSTICS, diagnostics_json};
@@ -28,6 +31,7 @@ use crate::export::planarity_csv::{Surface, planarity_csv};
 use crate::export::{cut_list, glb::GlbError};
 use crate::source::Span;
 use model::OwnedModel;
+use nests::Nests;
 use sha2::{Digest, Sha256};
 use std::io;
 
@@ -93,8 +97,16 @@ impl Output {
 pub struct Outputs {
     /// The files, in order; empty where there are diagnostics.
     pub files: Vec<Output>,
+    /// What is nested, and where.
+    pub nests: Nests,
     /// Boards that cannot be made by the machine they are for.
     pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Outputs {
+    fn failed(diagnostics: Vec<Diagnostic>) -> Self {
+        Outputs { files: Vec::new(), nests: Nests::default(), diagnostics }
+    }
 }
 
 /// Makes the outputs of a design without errors.
@@ -104,7 +116,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
         let message = "there is nothing to build: the design has no figures";
         let diagnostic = Diagnostic::new(Code::E0807, Span::new(analysis.root, 0, 0), message);
         let diagnostic = diagnostic.hint("declare one: `figure line = … on (…) at level 3`");
-        return Outputs { files, diagnostics: vec![diagnostic] };
+        return Outputs::failed(vec![diagnostic]);
     }
     if selection.makes(Format::Glb) {
         let content = Content::Model(Box::new(OwnedModel::of(analysis)));
@@ -113,25 +125,30 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
     if [Format::Nc, Format::Dxf, Format::Btlx].iter().any(|format| selection.makes(*format)) {
         let diagnostics = board_files(analysis, selection, &mut files);
         if !diagnostics.is_empty() {
-            return Outputs { files: Vec::new(), diagnostics };
+            return Outputs::failed(diagnostics);
         }
     }
-    let parts = parts::parts(analysis, selection);
+    let nests = match nests::nests(analysis) {
+        Ok(nests) => nests,
+        Err(diagnostics) => return Outputs::failed(diagnostics),
+    };
+    let mut parts = parts::parts(analysis, &files);
+    sheets::mark(&nests, &mut parts);
     if selection.makes(Format::Csv) && !analysis.fabrications.is_empty() {
-        lists(analysis, selection, &parts, &mut files);
+        lists(analysis, selection, &nests, &parts, &mut files);
     }
+    let mut sheet_files = Vec::new();
     if selection.makes(Format::Svg) {
-        let sheets = labels::sheets(analysis, selection);
-        files.extend(
-            sheets
-                .into_iter()
-                .map(|(name, sheet)| Output::of_design(&name, "labels", Content::Labels(sheet))),
-        );
+        sheet_files.push("svg");
+        let pictures = sheets::pictures(&nests).into_iter();
+        files.extend(pictures.map(|(path, text)| Output::new(&path, "drawing", text)));
+        let labels = labels::sheets(analysis, selection).into_iter();
+        files.extend(labels.map(|(name, sheet)| Output::of_design(&name, "labels", Content::Labels(sheet))));
     }
     if selection.makes(Format::Html) || selection.makes(Format::Json) {
-        let report = report::report(analysis, parts);
+        let report = report::report(analysis, parts, &nests, &sheet_files);
         if selection.makes(Format::Html) {
-            files.push(Output::new("report.html", "report", html::html(analysis, &report)));
+            files.push(Output::new("report.html", "report", html::html(analysis, &report, &nests)));
         }
         if selection.makes(Format::Json)
             && let Ok(text) = report.to_json()
@@ -141,7 +158,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
     }
     let said = diagnostics_json(&analysis.diagnostics, &analysis.sources, false);
     files.push(Output::new(DIAGNOSTICS, "diagnostics", said));
-    Outputs { files, diagnostics: Vec::new() }
+    Outputs { files, nests, diagnostics: Vec::new() }
 }
 
 /// Programs and drawings of boards, or what speaks against them.
@@ -163,12 +180,20 @@ fn board_files(analysis: &Analysis, selection: &Selection, files: &mut Vec<Outpu
 }
 
 /// The lists of the boards that are wanted.
-fn lists(analysis: &Analysis, selection: &Selection, parts: &[Vec<Part>], files: &mut Vec<Output>) {
+fn lists(
+    analysis: &Analysis,
+    selection: &Selection,
+    nests: &Nests,
+    parts: &[Vec<Part>],
+    files: &mut Vec<Output>,
+) {
     let wanted = |part: &&Part| selection.takes(&part.address, &part.alias);
     let all: Vec<Part> = parts.iter().flatten().filter(wanted).cloned().collect();
     files.push(Output::new("cutlist.csv", "list", cut_list::cut_list(&all)));
     let rows = assembly::rows(analysis, selection);
     files.push(Output::new("assembly.csv", "list", assembly_list(&rows)));
+    let nested = [("nest.csv", sheets::nest_list(nests)), ("stock.csv", sheets::stock_list(nests))];
+    files.extend(nested.into_iter().filter_map(|(path, text)| Some(Output::new(path, "list", text?))));
     let surfaces = surfaces(analysis);
     if !surfaces.is_empty() {
         files.push(Output::new("planarity.csv", "list", planarity_csv(&surfaces)));

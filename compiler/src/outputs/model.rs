@@ -13,7 +13,7 @@ use crate::geometry::QuadMesh;
 use crate::hir::schema::Measure;
 use crate::hir::tree::ItemId;
 use crate::plan::evaluate::PiecesEvaluator;
-use crate::planarize::Perturbation;
+use crate::planarize::{Method, Projection};
 use glam::DVec3;
 use std::io;
 
@@ -139,8 +139,8 @@ pub(super) fn built_planarity(made: &Fabrication, panels: &PanelsMade) -> f64 {
         }
         _ => None,
     });
-    let aim = panels.perturbation.as_ref().map(|options| options.threshold);
-    least.or(aim).unwrap_or_else(|| Perturbation::default().threshold)
+    let aim = panels.planarizing.as_ref().map(Method::threshold);
+    least.or(aim).unwrap_or_else(|| Projection::default().threshold)
 }
 
 /// `shell.ifs:12`

@@ -1,19 +1,25 @@
 //! Boards and planks as lists and reports give them.
 
+use super::Output;
 use super::names::safe_file_name;
-use super::selection::{Format, Selection};
 use crate::analysis::{Analysis, Elements, Fabrication};
 use crate::export::number::Fixed;
 use crate::export::part::Part;
+use std::collections::BTreeMap;
 
-/// The parts of each fabricate block: made ones in order, then refused ones, each with the files that the selection
-/// makes for it.
-pub(super) fn parts(analysis: &Analysis, selection: &Selection) -> Vec<Vec<Part>> {
-    analysis.fabrications.iter().map(|made| block(made, selection)).collect()
+/// The parts of each fabricate block: made ones in order, then refused ones. Each names those of the outputs that are for
+/// it alone.
+pub(super) fn parts(analysis: &Analysis, outputs: &[Output]) -> Vec<Vec<Part>> {
+    let mut files: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for output in outputs {
+        if let Some(address) = &output.address {
+            files.entry(address).or_default().push(&output.path);
+        }
+    }
+    analysis.fabrications.iter().map(|made| block(made, &files)).collect()
 }
 
-fn block(made: &Fabrication, selection: &Selection) -> Vec<Part> {
-    let programs = selection.makes(Format::Nc) && made.settings.iter().any(|(name, _, _)| *name == "machine");
+fn block(made: &Fabrication, files: &BTreeMap<&str, Vec<&str>>) -> Vec<Part> {
     let figure = made.figure.as_str();
     let mut parts: Vec<Part> = match &made.elements {
         Elements::Panels(panels) => {
@@ -25,9 +31,9 @@ fn block(made: &Fabrication, selection: &Selection) -> Vec<Part> {
             planks.planks.iter().map(|plank| Part::of_plank(plank, figure, material)).collect()
         }
     };
-    for part in parts.iter_mut().filter(|part| selection.takes(&part.address, &part.alias)) {
-        part.files.extend(programs.then(|| program_path(&part.address)));
-        part.files.extend(selection.makes(Format::Dxf).then(|| drawing_path(&part.address)));
+    for part in &mut parts {
+        let own = files.get(part.address.as_str());
+        part.files.extend(own.into_iter().flatten().map(|path| (*path).to_owned()));
     }
     match &made.elements {
         Elements::Panels(panels) => parts.extend(panels.refused.iter().map(|refused| {
@@ -43,11 +49,6 @@ fn block(made: &Fabrication, selection: &Selection) -> Vec<Part> {
         part.scale = Fixed::ratio(made.scale);
     }
     parts
-}
-
-/// Where the NC program of a board lies in the output folder.
-pub(super) fn program_path(address: &str) -> String {
-    format!("boards/{}", safe_file_name(address, "nc"))
 }
 
 /// Where the drawing of a board lies in the output folder.

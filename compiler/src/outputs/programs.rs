@@ -1,19 +1,19 @@
 //! NC programs: one for each board and plank of a block with a machine, read back before it is given out.
 
-use super::parts::program_path;
+use super::machines::machines;
+use super::names::safe_file_name;
 use super::{Output, Selection, design_hash};
-use crate::analysis::{Analysis, Elements, Fabrication, field, number, text};
+use crate::analysis::{Analysis, Elements, Fabrication, number};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::export::nc;
+use crate::export::nc::{self, NcFile};
 use crate::export::number::fixed;
-use crate::fabricate::cut_job::{CutJob, Engraving};
-use crate::fabricate::machine::{CutDirection, Dialect, Machine, MachineSpec, Tool, WorkOffset, ZZero};
+use crate::fabricate::cut_job::{CutJob, Engraving, Sheet};
+use crate::fabricate::machine::Machine;
 use crate::fabricate::panel::{Edges, Panel};
 use crate::fabricate::plank::Plank;
-use crate::fabricate::toolpath::program;
+use crate::fabricate::toolpath::{Refusal, sheet};
 use crate::hir::tree::Hir;
-use crate::hir::value::Value;
-use crate::readback::{Expected, read_back};
+use crate::readback::{Expected, NcText, read_back_set};
 use crate::source::Span;
 use glam::DVec3;
 
@@ -29,6 +29,8 @@ pub(super) struct Block<'a> {
     pub(super) made: &'a Fabrication,
     /// The machine, and where the design names it.
     pub(super) machine: Option<(Machine, Span)>,
+    /// The same machine with each of its spare cutters.
+    pub(super) spares: Vec<Machine>,
     /// The boards that are wanted, in order.
     pub(super) jobs: Vec<CutJob>,
 }
@@ -38,12 +40,22 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
     let (mut blocks, mut diagnostics) = (Vec::new(), Vec::new());
     let hash = design_hash(analysis);
     for made in &analysis.fabrications {
-        let setting = made.settings.iter().find(|(name, _, _)| *name == "machine");
-        let machine = setting.map(|(_, value, span)| Ok((machine(&analysis.hir, value, *span)?, *span)));
+        let setting = |wanted: &str| {
+            made.settings.iter().find(|(name, _, _)| *name == wanted).map(|(_, value, span)| (value, *span))
+        };
+        let machines = setting("machine").map(|(value, span)| {
+            let machines = machines(&analysis.hir, value, span, setting("fixing"))?;
+            Ok((machines, span))
+        });
         let mut jobs = jobs(analysis, made, &hash);
         jobs.retain(|job| selection.takes(&job.address, &job.alias));
-        match machine.transpose() {
-            Ok(machine) => blocks.push(Block { made, machine, jobs }),
+        match machines.transpose() {
+            Ok(machines) => {
+                let (mut machines, span) = machines.unwrap_or_default();
+                let spares = machines.split_off(machines.len().min(1));
+                let machine = machines.pop().map(|machine| (machine, span));
+                blocks.push(Block { made, machine, spares, jobs });
+            }
             Err(diagnostic) => diagnostics.push(diagnostic),
         }
     }
@@ -55,7 +67,8 @@ pub(super) fn programs(blocks: &[Block<'_>]) -> (Vec<Output>, Vec<Diagnostic>) {
     let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
     for block in blocks {
         if let Some((machine, span)) = &block.machine {
-            block_programs(&block.jobs, machine, *span, &mut outputs, &mut diagnostics);
+            let machines: Vec<&Machine> = [machine].into_iter().chain(&block.spares).collect();
+            block_programs(&block.jobs, &machines, *span, &mut outputs, &mut diagnostics);
         }
     }
     (outputs, diagnostics)
@@ -67,28 +80,29 @@ struct Failure {
     alias: String,
     address: String,
     why: String,
+    remedy: Option<String>,
 }
 
 fn block_programs(
     jobs: &[CutJob],
-    machine: &Machine,
+    machines: &[&Machine],
     span: Span,
     outputs: &mut Vec<Output>,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let mut failures: Vec<Failure> = Vec::new();
     for job in jobs {
-        let (alias, address) = (job.alias.clone(), job.address.clone());
-        match one(job, machine) {
-            Ok(text) => {
-                outputs.push(Output::of_board(
-                    &program_path(&address),
-                    "program",
-                    &address,
-                    text.into_bytes(),
-                ));
+        let number = u32::try_from(outputs.len()).map_or(u32::MAX, |before| before.saturating_add(1));
+        match one(job, machines, number) {
+            Ok(files) => outputs.extend(files.into_iter().map(|file| {
+                let extension = file.tool.map_or_else(|| "nc".to_owned(), |tool| format!("t{tool}.nc"));
+                let path = format!("boards/{}", safe_file_name(&job.address, &extension));
+                Output::of_board(&path, "program", &job.address, file.text.into_bytes())
+            })),
+            Err(NoProgram { code, why, remedy }) => {
+                let (alias, address) = (job.alias.clone(), job.address.clone());
+                failures.push(Failure { code, alias, address, why, remedy });
             }
-            Err((code, why)) => failures.push(Failure { code, alias, address, why }),
         }
     }
     for code in [Code::E0901, Code::E0902] {
@@ -107,26 +121,47 @@ fn failed(code: Code, failures: &[&Failure], span: Span) -> Option<Diagnostic> {
         let more = if failures.len() > NAMED + 1 { ", …" } else { "" };
         diagnostic = diagnostic.note(format!("and {} more: {}{more}", failures.len() - 1, others.join(", ")));
     }
-    Some(match code {
-        Code::E0901 => {
-            diagnostic.hint("use another tool, a smaller address or larger boards; nothing was written")
-        }
+    Some(match (code, &first.remedy) {
+        (Code::E0901, Some(remedy)) => diagnostic.hint(format!("{remedy}; nothing was written")),
+        (Code::E0901, None) => diagnostic.hint("change its outline; nothing was written"),
         _ => diagnostic.note("the program was read back and does not cut the board; nothing was written"),
     })
 }
 
-/// The text of a program that has been read back.
-fn one(job: &CutJob, machine: &Machine) -> Result<String, (Code, String)> {
-    let program = program(job, machine).map_err(|refusal| (Code::E0901, refusal.to_string()))?;
-    let text = nc::write(&program, machine);
-    let expected = Expected::new(job, machine);
-    match read_back(&text, &expected) {
-        Ok(_) => Ok(text),
-        Err(faults) => {
-            let why = faults.first().map_or_else(String::new, ToString::to_string);
-            Err((Code::E0902, why))
-        }
+/// Why there is no program, and what would mend it.
+struct NoProgram {
+    code: Code,
+    why: String,
+    remedy: Option<String>,
+}
+
+/// The files of a program that has been read back: on the first of the machines that can, which differ in their cutters.
+/// If none can, it is the first that says why.
+fn one(job: &CutJob, machines: &[&Machine], number: u32) -> Result<Vec<NcFile>, NoProgram> {
+    let mut refused: Option<Refusal> = None;
+    for &machine in machines {
+        let sheet_of_one = Sheet { number, ..Sheet::single(job, machine) };
+        let program = match sheet(&sheet_of_one, machine) {
+            Ok(program) => program,
+            Err(error) => {
+                refused.get_or_insert(error.refusal);
+                continue;
+            }
+        };
+        let files = nc::write(&program, machine);
+        let texts: Vec<NcText> =
+            files.iter().map(|file| NcText { tool: file.tool, text: &file.text }).collect();
+        let expected = Expected { number, ..Expected::new(job, machine) };
+        return match read_back_set(&texts, &expected) {
+            Ok(_) => Ok(files),
+            Err(faults) => {
+                let why = faults.first().map_or_else(String::new, ToString::to_string);
+                Err(NoProgram { code: Code::E0902, why, remedy: None })
+            }
+        };
     }
+    let why = refused.as_ref().map_or_else(|| "there is no machine".to_owned(), ToString::to_string);
+    Err(NoProgram { code: Code::E0901, why, remedy: refused.and_then(|refusal| refusal.remedy()) })
 }
 
 fn jobs(analysis: &Analysis, made: &Fabrication, hash: &str) -> Vec<CutJob> {
@@ -230,50 +265,6 @@ fn direction(normal: DVec3) -> String {
     format!("{:.4} {:.4} {:.4}", normal.x, normal.y, normal.z)
 }
 
-/// The machine of a record of the library's type `Machine`.
-fn machine(hir: &Hir, value: &Value, span: Span) -> Result<Machine, Diagnostic> {
-    let incomplete =
-        || Diagnostic::new(Code::E0804, span, "this machine is not complete").label("a field is missing");
-    let get = |name: &str| number(hir, value, name).ok_or_else(incomplete);
-    let tool = |name: &str| field(hir, value, name).and_then(|value| tool(hir, value)).ok_or_else(incomplete);
-    let (cutter, engraver) = (tool("cutter")?, tool("engraver")?);
-    let spec = MachineSpec {
-        name: text(hir, value, "name").ok_or_else(incomplete)?,
-        envelope: DVec3::new(get("length")?, get("width")?, get("height")?),
-        safe_height: get("safe_height")?,
-        z_zero: ZZero::TopOfStock,
-        work_offset: WorkOffset::G54,
-        stock_margin: get("margin")?,
-        cut_through: get("cut_through")?,
-        engrave_depth: get("engrave_depth")?,
-        spindle_range: (get("least_spindle")?, get("most_spindle")?),
-        spin_up: get("spin_up")?,
-        direction: CutDirection::Climb,
-        dialect: Dialect::LinuxCnc,
-        cutter: cutter.number,
-        engraver: engraver.number,
-        tools: vec![cutter, engraver],
-    };
-    Machine::try_new(spec).map_err(|error| {
-        let message = format!("this machine cannot work: {error}");
-        Diagnostic::new(Code::E0804, span, message).label("this machine")
-    })
-}
-
-fn tool(hir: &Hir, value: &Value) -> Option<Tool> {
-    let get = |name: &str| number(hir, value, name);
-    Some(Tool {
-        number: get("number")? as u32,
-        name: text(hir, value, "name")?,
-        diameter: get("diameter")?,
-        flute_length: get("flute")?,
-        feed: get("feed")?,
-        plunge: get("plunge")?,
-        spindle: get("spindle")?,
-        max_step_down: get("step_down")?,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -286,6 +277,7 @@ mod tests {
             alias: alias.to_owned(),
             address: format!("{alias}.left"),
             why: "line 7 cuts into the board".to_owned(),
+            remedy: None,
         };
         let (first, second) = (refused("rail-00"), refused("rail-01"));
         let found = failed(Code::E0902, &[&first, &second], Span::default()).unwrap();

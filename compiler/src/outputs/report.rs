@@ -1,5 +1,7 @@
 //! The report of a design: its parameters, figures and fabrications, measured.
 
+use super::nests::Nests;
+use super::sheets::{bars_report, sheets_report};
 use super::{design_hash, names, parameter_texts, project_sources};
 use crate::analysis::{Analysis, Elements, Fabrication, LimitValue, PanelsMade, RequirementResult};
 use crate::export::number::Fixed;
@@ -15,11 +17,16 @@ use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 use crate::hir::schema::Measure;
 use crate::plan::extent::Extent;
 use crate::plan::{Depth, Each, Shape};
-use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
+use crate::planarize::{Method, Outcome, Pin, StopReason};
 use sha2::{Digest, Sha256};
 
-/// The report with the parts of each block.
-pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
+/// The report with the parts of each block; `sheet_files` are the extensions of the files made for a sheet.
+pub(super) fn report(
+    analysis: &Analysis,
+    parts: Vec<Vec<Part>>,
+    nests: &Nests,
+    sheet_files: &[&str],
+) -> Report {
     let mut out = Report::new(&analysis.design_name());
     let docs = analysis.files.first().map_or(&[][..], |file| &file.parse.ast.docs);
     let paragraph = docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty());
@@ -59,6 +66,8 @@ pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
     }
     let made = analysis.fabrications.iter().zip(parts);
     out.fabrications = made.map(|(made, parts)| fabrication(analysis, made, parts)).collect();
+    out.sheets = nests.sheets.iter().map(|nest| sheets_report(nest, sheet_files)).collect();
+    out.bars = nests.bars.iter().map(bars_report).collect();
     out
 }
 
@@ -197,7 +206,7 @@ fn planarity(panels: &PanelsMade) -> Option<PlanarityReport> {
         quads: Vec::new(),
     };
     let first = panels.figures.first()?;
-    let planarize = panels.perturbation.as_ref().zip(first.outcome.as_ref());
+    let planarize = panels.planarizing.as_ref().zip(first.outcome.as_ref());
     Some(PlanarityReport {
         before: summary(|figure| &figure.designed),
         after: summary(|figure| &figure.built),
@@ -222,28 +231,15 @@ fn folds(panels: &PanelsMade) -> Option<[Distribution; 2]> {
     Some([over(before)?, over(after)?])
 }
 
-fn planarize_report(options: &Perturbation, outcome: &Outcome) -> PlanarizeReport {
-    let pin = match options.pin {
-        Pin::Boundary => "boundary",
-        Pin::None => "none",
-        Pin::Corners => "corners",
-    };
-    let values = [
-        ("worst", options.worst.to_string()),
-        ("average", options.average.to_string()),
-        ("select", options.select.to_string()),
-        ("threshold", options.threshold.to_string()),
-        ("step", format!("{}mm", options.step)),
-        ("move", format!("{}mm", options.move_length)),
-        ("iterations", options.iterations.to_string()),
-        ("pin", pin.to_owned()),
-    ];
+fn planarize_report(method: &Method, outcome: &Outcome) -> PlanarizeReport {
+    let (name, values) = used(method);
     PlanarizeReport {
-        method: "perturbation",
+        method: name,
         options: values.into_iter().map(|(name, value)| OptionReport { name, value }).collect(),
         stop: stop_words(outcome.stop).to_owned(),
         iterations: outcome.iterations,
         best_iteration: outcome.best_iteration,
+        inverted: outcome.inverted,
         history: outcome
             .history
             .iter()
@@ -255,6 +251,40 @@ fn planarize_report(options: &Perturbation, outcome: &Outcome) -> PlanarizeRepor
     }
 }
 
+/// The method's name, and the settings it was run with.
+fn used(method: &Method) -> (&'static str, Vec<(&'static str, String)>) {
+    let pin = match method.pin() {
+        Pin::Boundary => "boundary",
+        Pin::None => "none",
+        Pin::Corners => "corners",
+    };
+    match method {
+        Method::Perturbation(options) => {
+            let values = vec![
+                ("worst", options.worst.to_string()),
+                ("average", options.average.to_string()),
+                ("select", options.select.to_string()),
+                ("threshold", options.threshold.to_string()),
+                ("step", format!("{}mm", options.step)),
+                ("move", format!("{}mm", options.move_length)),
+                ("iterations", options.iterations.to_string()),
+                ("pin", pin.to_owned()),
+            ];
+            ("perturbation", values)
+        }
+        Method::Projection(options) => {
+            let ratio = options.diagonal_ratio.map(|most| ("diagonal ratio", most.to_string()));
+            let mut values = vec![
+                ("threshold", options.threshold.to_string()),
+                ("iterations", options.iterations.to_string()),
+                ("pin", pin.to_owned()),
+            ];
+            values.extend(ratio);
+            ("projection", values)
+        }
+    }
+}
+
 fn stop_words(stop: StopReason) -> &'static str {
     match stop {
         StopReason::Reached => "reached the threshold",
@@ -263,5 +293,7 @@ fn stop_words(stop: StopReason) -> &'static str {
         StopReason::Cancelled => "cancelled",
         StopReason::NothingSelected => "nothing to do",
         StopReason::OnlyPinnedLeft => "only pinned vertices left",
+        StopReason::OnlyFoldedLeft => "only quads folded over in the design left",
+        StopReason::TooLarge => "too large for projection",
     }
 }

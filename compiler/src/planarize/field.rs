@@ -5,6 +5,7 @@ use glam::DVec3;
 use crate::geometry::planarity::corner_normals;
 use crate::geometry::{Diagonal, QuadMeasure, QuadMesh, Verdict};
 
+use super::faces::Face;
 use super::selection::Selection;
 
 /// The exponent of the mean that stands in for the worst.
@@ -19,12 +20,9 @@ pub(super) struct Weights {
 
 /// A quad that changes when free vertices move.
 struct Patch {
-    corners: [usize; 4],
+    face: Face,
     /// Which of the folds over AC and BD count: both, or for a dart the one over its reflex corner.
     counts: [bool; 2],
-    /// The vector area it started with: a quad that turns away from it is inverted.
-    start: DVec3,
-    was: Verdict,
 }
 
 /// The objective over the touched quads, as a function of all vertex positions.
@@ -61,8 +59,8 @@ impl Field {
         let mut gradient = vec![DVec3::ZERO; vertices.len()];
         for (patch, deficits) in self.patches.iter().zip(&deficits) {
             let slopes = [0, 1].map(|k| if patch.counts[k] { slope(deficits[k]) } else { 0.0 });
-            let positions = patch.corners.map(|corner| vertices[corner]);
-            for (k, &corner) in patch.corners.iter().enumerate() {
+            let positions = patch.face.corners.map(|corner| vertices[corner]);
+            for (k, &corner) in patch.face.corners.iter().enumerate() {
                 if self.free[corner] {
                     gradient[corner] += self.difference(positions, k, slopes);
                 }
@@ -74,23 +72,11 @@ impl Field {
     /// Whether no quad is inverted which was not: convex quads stay convex, none turns over against its start, and
     /// none loses its shape.
     pub(super) fn admits(&self, vertices: &[DVec3]) -> bool {
-        self.patches.iter().all(|patch| {
-            let corners = patch.corners.map(|corner| vertices[corner]);
-            if !corners.iter().all(|corner| corner.is_finite()) {
-                return false;
-            }
-            let normals = corner_normals(corners);
-            let upright = (normals[0] + normals[2]).dot(patch.start) > 0.0;
-            match (patch.was, QuadMeasure::of(corners).verdict) {
-                (Verdict::FoldedOver, Verdict::Convex | Verdict::Dart | Verdict::FoldedOver) => true,
-                (Verdict::Dart, Verdict::Dart) | (_, Verdict::Convex) => upright,
-                _ => false,
-            }
-        })
+        self.patches.iter().all(|patch| patch.face.admits(vertices))
     }
 
     fn deficits(&self, vertices: &[DVec3]) -> Vec<[f64; 2]> {
-        self.patches.iter().map(|patch| deficits(patch.corners.map(|corner| vertices[corner]))).collect()
+        self.patches.iter().map(|patch| deficits(patch.face.corners.map(|corner| vertices[corner]))).collect()
     }
 
     fn counted<'a>(&'a self, deficits: &'a [[f64; 2]]) -> impl Iterator<Item = f64> + 'a {
@@ -136,13 +122,7 @@ fn patch(start: &QuadMesh, measures: &[QuadMeasure], quad: usize) -> Patch {
         (_, Diagonal::Ac) => [true, false],
         (_, Diagonal::Bd) => [false, true],
     };
-    let normals = corner_normals(start.corners_of(quad));
-    Patch {
-        corners: start.quads[quad].map(|corner| corner as usize),
-        counts,
-        start: normals[0] + normals[2],
-        was: measure.verdict,
-    }
+    Patch { face: Face::new(start, measure, quad), counts }
 }
 
 /// 1 − cos of the folds over AC and BD, without cancellation for small folds. 2 where a triangle has no area.

@@ -1,4 +1,4 @@
-//! The parameters of the perturbation method, and what may not be asked of it.
+//! The parameters of the two methods, and what may not be asked of it.
 
 use std::fmt;
 
@@ -41,6 +41,19 @@ pub struct Perturbation {
     pub pin: Pin,
 }
 
+/// The parameters of projection (GEOMETRY section 6b).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Projection {
+    /// The planarity which ends it, once every quad has it. −1 ..= 1.
+    pub threshold: f64,
+    /// The diagonal ratio which every quad must come down to as well, where one is asked for; above 0.
+    pub diagonal_ratio: Option<f64>,
+    /// The most steps to make.
+    pub iterations: u32,
+    /// Which vertices do not move.
+    pub pin: Pin,
+}
+
 /// Why a set of parameters is refused.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OptionsError {
@@ -67,6 +80,11 @@ pub enum OptionsError {
         /// What was given, mm.
         value: f64,
     },
+    /// A diagonal ratio which is not above 0.
+    DiagonalRatio {
+        /// What was given.
+        value: f64,
+    },
     /// More iterations than [`MAX_ITERATIONS`].
     Iterations {
         /// What was given.
@@ -85,6 +103,7 @@ impl fmt::Display for OptionsError {
                 write!(out, "`{name}` is a planarity, from -1 to 1, but is {value}")
             }
             Self::Length { name, value } => write!(out, "`{name}` is a length above 0mm, but is {value}mm"),
+            Self::DiagonalRatio { value } => write!(out, "a diagonal ratio of {value} cannot be aimed at"),
             Self::Iterations { value } => {
                 write!(out, "`iterations` is {value}, but may be at most {MAX_ITERATIONS}")
             }
@@ -134,6 +153,34 @@ impl Perturbation {
             if !(value.is_finite() && value > 0.0) {
                 return Err(OptionsError::Length { name, value });
             }
+        }
+        if given.iterations > MAX_ITERATIONS {
+            return Err(OptionsError::Iterations { value: given.iterations });
+        }
+        Ok(given)
+    }
+}
+
+impl Default for Projection {
+    /// Threshold 0.9999, no diagonal ratio, 60 steps, boundary pinned.
+    fn default() -> Self {
+        Self { threshold: 0.9999, diagonal_ratio: None, iterations: 60, pin: Pin::Boundary }
+    }
+}
+
+impl Projection {
+    /// The parameters after their checks.
+    ///
+    /// # Errors
+    /// A planarity outside −1 ..= 1, a diagonal ratio not above 0, too many iterations.
+    pub fn try_new(given: Self) -> Result<Self, OptionsError> {
+        if !(-1.0..=1.0).contains(&given.threshold) {
+            return Err(OptionsError::Planarity { name: "threshold", value: given.threshold });
+        }
+        if let Some(value) = given.diagonal_ratio
+            && !(value.is_finite() && value > 0.0)
+        {
+            return Err(OptionsError::DiagonalRatio { value });
         }
         if given.iterations > MAX_ITERATIONS {
             return Err(OptionsError::Iterations { value: given.iterations });

@@ -1,4 +1,4 @@
-//! What a run of the perturbation method hands back, and what it says on the way.
+//! What a run of a method hands back, and what it says on the way.
 
 use glam::DVec3;
 
@@ -42,6 +42,10 @@ pub enum StopReason {
     /// Every selected quad that may change has the planarity asked for; others that fall short have no vertex that
     /// may move.
     OnlyPinnedLeft,
+    /// All others are flat enough; what falls short was folded over at the start, which projection does not unfold.
+    OnlyFoldedLeft,
+    /// The mesh is too large for projection's system of equations; nothing was moved.
+    TooLarge,
 }
 
 /// How far vertices moved.
@@ -87,4 +91,6 @@ pub struct Outcome {
     pub after: MeshSummary,
     /// How far vertices moved.
     pub moved: Moved,
+    /// How many quads are inverted that were not: 0, whatever is given.
+    pub inverted: usize,
 }

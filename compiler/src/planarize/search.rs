@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 
+use super::faces::inverted;
 use super::field::{Field, Weights};
 use super::lbfgs::{self, Memory};
 use super::options::Perturbation;
@@ -242,6 +243,7 @@ impl<'a> Search<'a> {
     pub(super) fn into_outcome(self, stop: StopReason) -> Outcome {
         let moved = Moved::between(&self.start.vertices, &self.best);
         let iterations = self.iteration();
+        let inverted = inverted(self.start, &self.first, &self.best);
         let mesh = QuadMesh { vertices: self.best, quads: self.start.quads.clone() };
         Outcome {
             after: MeshSummary::of(&mesh),
@@ -252,6 +254,7 @@ impl<'a> Search<'a> {
             best_iteration: self.best_iteration,
             stop,
             moved,
+            inverted,
         }
     }
 }

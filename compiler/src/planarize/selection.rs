@@ -21,26 +21,11 @@ impl Selection {
     /// Selects the quads that fall short of `select`. Pinned vertices are held, and so are the corners of quads
     /// that are degenerate or have a collinear corner: any move would make of them another kind of quad.
     pub(super) fn new(mesh: &QuadMesh, measures: &[QuadMeasure], select: f64, pin: Pin) -> Self {
-        let mut held = vec![false; mesh.vertices.len()];
-        let pinned = match pin {
-            // Only a mesh with more than two quads at an edge has no boundary; it is then pinned as a whole.
-            Pin::Boundary => mesh.boundary_vertices().unwrap_or_else(|_| mesh.quads.concat()),
-            Pin::Corners => mesh.corners(),
-            Pin::None => Vec::new(),
-        };
-        for vertex in pinned {
-            held[vertex as usize] = true;
-        }
-        for (corners, measure) in mesh.quads.iter().zip(measures) {
-            if matches!(measure.verdict, Verdict::Degenerate | Verdict::CollinearCorner) {
-                corners.iter().for_each(|&corner| held[corner as usize] = true);
-            }
-        }
         let mut selection = Self {
             selected: vec![false; mesh.quads.len()],
             free: vec![false; mesh.vertices.len()],
             touched: Vec::new(),
-            held,
+            held: held(mesh, measures, pin),
         };
         selection.grow(mesh, select, measures.iter().map(|measure| measure.planarity).enumerate());
         selection
@@ -86,6 +71,27 @@ impl Selection {
         }
         free.iter().zip(&self.held).map(|(free, held)| *free && !held).collect()
     }
+}
+
+/// For each vertex whether it may never move: the pinned ones, and the corners of quads that are degenerate or have a
+/// collinear corner.
+pub(super) fn held(mesh: &QuadMesh, measures: &[QuadMeasure], pin: Pin) -> Vec<bool> {
+    let mut held = vec![false; mesh.vertices.len()];
+    let pinned = match pin {
+        // Only a mesh with more than two quads at an edge has no boundary; it is then pinned as a whole.
+        Pin::Boundary => mesh.boundary_vertices().unwrap_or_else(|_| mesh.quads.concat()),
+        Pin::Corners => mesh.corners(),
+        Pin::None => Vec::new(),
+    };
+    for vertex in pinned {
+        held[vertex as usize] = true;
+    }
+    for (corners, measure) in mesh.quads.iter().zip(measures) {
+        if matches!(measure.verdict, Verdict::Degenerate | Verdict::CollinearCorner) {
+            corners.iter().for_each(|&corner| held[corner as usize] = true);
+        }
+    }
+    held
 }
 
 #[cfg(test)]

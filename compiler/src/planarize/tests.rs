@@ -1,6 +1,7 @@
 //! What the method promises, on whole meshes: shells, rough grids, odd input, and what each parameter does.
 
-mod odd_input;
+pub(super) mod odd_input;
+pub(super) use odd_input as odd;
 mod parameters;
 mod surfaces;
 
@@ -33,7 +34,7 @@ fn cubic_weights(t: f64) -> [f64; 4] {
 
 /// A uniform bicubic B-spline sheet over `size` by `size` control points (i·1 m, j·1 m, height(i, j) mm): every 4 by 4
 /// window at the level, joined, with its vertices on the limit surface.
-fn shell(size: usize, level: u32, height: impl Fn(f64, f64) -> f64) -> QuadMesh {
+pub(super) fn shell(size: usize, level: u32, height: impl Fn(f64, f64) -> f64) -> QuadMesh {
     let pieces = 1usize << level;
     let last = size - 4;
     let place = |k: f64| {
@@ -55,7 +56,7 @@ fn shell(size: usize, level: u32, height: impl Fn(f64, f64) -> f64) -> QuadMesh 
 }
 
 /// The net of the shell in LANGUAGE section 5, with another amplitude (mm).
-fn dome(amplitude: f64) -> impl Fn(f64, f64) -> f64 {
+pub(super) fn dome(amplitude: f64) -> impl Fn(f64, f64) -> f64 {
     let sine = |k: f64| libm::sin((30.0 * k).to_radians());
     move |i, j| amplitude * sine(i) * sine(j)
 }
@@ -67,17 +68,24 @@ fn unevenness(before: &QuadMesh, after: &QuadMesh) -> f64 {
     edges.iter().map(|edge| moved(edge.vertices[0]).distance(moved(edge.vertices[1]))).fold(0.0, f64::max)
 }
 
-/// What holds for every run, whatever it was given.
+/// What holds for every run of the perturbation, whatever it was given.
 fn check_promises(mesh: &QuadMesh, options: &Perturbation, outcome: &Outcome) {
+    check_kept(mesh, options.pin, outcome);
+    assert!(outcome.iterations <= options.iterations);
+}
+
+/// What holds for every run of either method.
+pub(super) fn check_kept(mesh: &QuadMesh, pin: Pin, outcome: &Outcome) {
+    assert_eq!(outcome.inverted, 0);
     assert_eq!(outcome.mesh.quads, mesh.quads);
     assert!(outcome.mesh.vertices.iter().all(|vertex| vertex.is_finite()));
     assert_eq!(outcome.history.len(), outcome.iterations as usize + 1);
-    assert!(outcome.iterations <= options.iterations && outcome.best_iteration <= outcome.iterations);
+    assert!(outcome.best_iteration <= outcome.iterations);
     if let Some(before) = outcome.before.worst {
         let after = outcome.after.worst.unwrap();
         assert!(after.value >= before.value, "worst {} became {}", before.value, after.value);
     }
-    let pinned = match options.pin {
+    let pinned = match pin {
         Pin::Boundary => mesh.boundary_vertices().unwrap(),
         Pin::Corners => mesh.corners(),
         Pin::None => Vec::new(),

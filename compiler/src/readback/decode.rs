@@ -1,8 +1,7 @@
 //! From engraved strokes back to the text they spell, and the tick of edge 0. The up mark, cut first, says where the
 //! text stands, which way it runs and how high it is; glyphs are then matched stroke by stroke.
 
-use super::cuts::cuts;
-use super::interpret::Trace;
+use super::cuts::Cut;
 use super::{Expected, Fault, FaultKind};
 use crate::fabricate::engrave::{self, Lettering, Stroke};
 use glam::DVec2;
@@ -12,26 +11,27 @@ const NEAR: f64 = 0.02;
 /// Most spaces in a row that are looked for.
 const SPACES: usize = 32;
 
-/// Reads the engraved text and says whether it is the alias and whether edge 0 is marked as asked.
-pub(super) fn engraving(trace: &Trace, expected: &Expected, faults: &mut Vec<Fault>) -> String {
-    let (strokes, line) = strokes(trace, expected);
+/// Reads the text engraved on a part and says whether it is the alias and whether edge 0 is marked as asked.
+pub(super) fn engraving(cuts: &[Cut], expected: &Expected, part: usize, faults: &mut Vec<Fault>) -> String {
+    let job = expected.parts[part].job;
+    let (strokes, line) = strokes(cuts);
     let wrong = |message: String| Fault::new(FaultKind::EngravingText, line, message);
     let mut letters = strokes.as_slice();
-    if expected.job.engraving.mark_edge_0 {
+    if job.engraving.mark_edge_0 {
         let Some((tick, rest)) = strokes.split_last() else {
             faults.push(wrong("nothing is engraved".to_owned()));
             return String::new();
         };
         letters = rest;
-        if !marks_edge_0(tick, expected) {
+        if !marks_edge_0(tick, expected, part) {
             let message = "the last stroke is no tick at right angles to edge 0";
             faults.push(Fault::new(FaultKind::EngravingMark, line, message));
         }
     }
     match read(letters) {
-        Ok(text) if text == expected.job.alias => text,
+        Ok(text) if text == job.alias => text,
         Ok(text) => {
-            faults.push(wrong(format!("the strokes spell {text:?}, not {:?}", expected.job.alias)));
+            faults.push(wrong(format!("the strokes spell {text:?}, not {:?}", job.alias)));
             text
         }
         Err(message) => {
@@ -42,10 +42,10 @@ pub(super) fn engraving(trace: &Trace, expected: &Expected, faults: &mut Vec<Fau
 }
 
 /// Chains of engraving cuts between plunges, and the line of the last.
-fn strokes(trace: &Trace, expected: &Expected) -> (Vec<Stroke>, usize) {
+fn strokes(cuts: &[Cut]) -> (Vec<Stroke>, usize) {
     let mut out: Vec<Stroke> = Vec::new();
     let mut line = 0;
-    for cut in cuts(trace, expected).iter().filter(|cut| cut.engraves) {
+    for cut in cuts.iter().filter(|cut| cut.engraves) {
         let (from, to) = (cut.piece.from.truncate(), cut.piece.to.truncate());
         line = cut.made.line;
         if from == to {
@@ -110,14 +110,14 @@ fn matches(glyph: &Lettering, strokes: &[Stroke], pen: f64) -> bool {
 }
 
 /// A straight stroke that points away from edge 0 and begins beside it, at the clearance.
-fn marks_edge_0(tick: &Stroke, expected: &Expected) -> bool {
-    let (Some(&a), Some(&b), &[from, to]) =
-        (expected.outline.first(), expected.outline.get(1), tick.as_slice())
+fn marks_edge_0(tick: &Stroke, expected: &Expected, part: usize) -> bool {
+    let part = &expected.parts[part];
+    let (Some(&a), Some(&b), &[from, to]) = (part.outline.first(), part.outline.get(1), tick.as_slice())
     else {
         return false;
     };
     let along = (b - a) / a.distance(b);
-    let margin = expected.job.engraving.clearance + expected.machine.engraver().diameter / 2.0;
+    let margin = part.job.engraving.clearance + expected.machine.engraver().diameter / 2.0;
     let (rise, drift) = (along.perp_dot(to - from), along.dot(to - from));
     let (height, place) = (along.perp_dot(from - a), along.dot(from - a) / a.distance(b));
     rise > 0.0

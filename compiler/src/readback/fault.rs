@@ -10,6 +10,9 @@ pub enum FaultKind {
     LineLength,
     Syntax,
     Word,
+    Comment,
+    ProgramFrame,
+    FileSet,
     Modes,
     FirstMotion,
     UnknownPosition,
@@ -25,6 +28,7 @@ pub enum FaultKind {
     ToolChange,
     ToolLength,
     Envelope,
+    Clamp,
     TooDeep,
     FluteLength,
     StepDown,
@@ -32,6 +36,7 @@ pub enum FaultKind {
     Gouge,
     Uncut,
     OutlineOpen,
+    Tabs,
     EngravingOutside,
     EngravingDepth,
     EngravingText,
@@ -45,11 +50,26 @@ pub enum FaultKind {
 }
 
 /// Every kind, its code, and the property it means is broken.
-pub const TABLE: [(FaultKind, &str, &str); 36] = [
+pub const TABLE: [(FaultKind, &str, &str); 41] = [
     (FaultKind::NotAscii, "nc-not-ascii", "lines are printable ASCII and end in LF"),
     (FaultKind::LineLength, "nc-line-length", "lines are under 70 characters"),
     (FaultKind::Syntax, "nc-syntax", "lines are words with plain numbers, or one comment"),
     (FaultKind::Word, "nc-word", "only words of the dialect appear, each once in a line"),
+    (
+        FaultKind::Comment,
+        "nc-comment",
+        "comments have only characters that neither end them nor steer the machine",
+    ),
+    (
+        FaultKind::ProgramFrame,
+        "nc-program-frame",
+        "the program begins and ends as its dialect asks, with its number",
+    ),
+    (
+        FaultKind::FileSet,
+        "nc-file-set",
+        "there is one file, or one for each tool in order where tools are put in by hand",
+    ),
     (FaultKind::Modes, "nc-modes", "all modes are set before the first motion"),
     (FaultKind::FirstMotion, "nc-first-motion", "the first motion with a tool is Z to the safe height"),
     (FaultKind::UnknownPosition, "nc-unknown-position", "feed motion starts from a known position"),
@@ -73,13 +93,19 @@ pub const TABLE: [(FaultKind, &str, &str); 36] = [
     (FaultKind::ToolChange, "nc-tool-change", "tools are changed with the spindle off, at the safe height"),
     (FaultKind::ToolLength, "nc-tool-length", "the loaded tool's own length offset is active"),
     (FaultKind::Envelope, "nc-envelope", "all motion stays in the machine's travel"),
-    (FaultKind::TooDeep, "nc-too-deep", "no cut is deeper than thickness and cut-through"),
+    (FaultKind::Clamp, "nc-clamp", "no tool touches a clamp"),
+    (
+        FaultKind::TooDeep,
+        "nc-too-deep",
+        "no cut is deeper than thickness and cut-through, or than the onion skin allows",
+    ),
     (FaultKind::FluteLength, "nc-flute-length", "no cut is deeper than the tool's flutes"),
     (FaultKind::StepDown, "nc-step-down", "no pass takes more than the tool's step-down"),
     (FaultKind::ArcRadii, "nc-arc-radii", "both radii of an arc agree within 0.002 mm"),
     (FaultKind::Gouge, "nc-gouge", "the cutter does not cut into the part"),
     (FaultKind::Uncut, "nc-uncut", "the cutter reaches all of the outline at full depth"),
     (FaultKind::OutlineOpen, "nc-outline-open", "the full-depth path closes around the part"),
+    (FaultKind::Tabs, "nc-tabs", "tabs are as many, as wide and as high as asked, on straight edges"),
     (
         FaultKind::EngravingOutside,
         "nc-engraving-outside",
@@ -115,8 +141,10 @@ impl FaultKind {
 pub struct Fault {
     /// Which property.
     pub kind: FaultKind,
-    /// Line of the program, from 1; 0 if the fault is of the whole program.
+    /// Line of the file, from 1; 0 if the fault is of the whole program.
     pub line: usize,
+    /// The tool whose file it is, where there is a file for each tool.
+    pub tool: Option<u32>,
     /// What was found, for people.
     pub message: String,
     /// The figure found, in the unit the message names.
@@ -126,17 +154,20 @@ pub struct Fault {
 impl Fault {
     /// A fault without a figure.
     pub(super) fn new(kind: FaultKind, line: usize, message: impl Into<String>) -> Fault {
-        Fault { kind, line, message: message.into(), measured: None }
+        Fault { kind, line, tool: None, message: message.into(), measured: None }
     }
 
     /// A fault with the figure that was measured.
     pub(super) fn measured(kind: FaultKind, line: usize, measured: f64, message: impl Into<String>) -> Fault {
-        Fault { kind, line, message: message.into(), measured: Some(measured) }
+        Fault { kind, line, tool: None, message: message.into(), measured: Some(measured) }
     }
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(tool) = self.tool {
+            write!(f, "file of tool {tool}, ")?;
+        }
         write!(f, "line {}: {} [{}]", self.line, self.message, self.kind.code())
     }
 }

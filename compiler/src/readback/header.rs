@@ -1,6 +1,8 @@
-//! The header's comments as keys and values, escapes undone. Whether they are true is judged in `checks`.
+//! The header's comments as keys and values, escapes undone. Where a dialect has capitals only, so have its keys and
+//! values. Whether they are true is judged in `checks`.
 
 use super::lines::Line;
+use crate::fabricate::machine::{CommentRule, Profile};
 
 /// One `key: value` of the header.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -11,9 +13,10 @@ pub(super) struct Entry {
 }
 
 /// All entries: the comments before the first other line, those that begin with a plus joined to the one before.
-pub(super) fn entries(lines: &[Line]) -> Vec<Entry> {
+pub(super) fn entries(lines: &[Line], profile: &Profile) -> Vec<Entry> {
     let mut joined: Vec<(usize, String)> = Vec::new();
-    for line in lines {
+    // A program's number and the mark of its start may stand before.
+    for line in lines.iter().skip_while(|line| line.comment.is_none()) {
         let Some(comment) = &line.comment else { break };
         match (comment.strip_prefix("+ "), joined.last_mut()) {
             (Some(more), Some(last)) => last.1 += more,
@@ -22,18 +25,20 @@ pub(super) fn entries(lines: &[Line]) -> Vec<Entry> {
     }
     let entry = |(line, text): (usize, String)| {
         let (key, value) = text.split_once(": ").or_else(|| text.split_once(':'))?;
-        Some(Entry { line, key: key.to_owned(), value: unescaped(value) })
+        let key = if profile.comment.capitals { key.to_ascii_lowercase() } else { key.to_owned() };
+        Some(Entry { line, key, value: unescaped(value, &profile.comment) })
     };
     joined.into_iter().filter_map(entry).collect()
 }
 
-/// `{29}` becomes the character with that code point; what is no escape stays.
-fn unescaped(text: &str) -> String {
+/// An escape such as `{29}` becomes the character with that code point; what is no escape stays.
+fn unescaped(text: &str, rule: &CommentRule) -> String {
+    let (open, close) = rule.escape;
     let mut out = String::new();
     let mut rest = text;
-    while let Some((before, after)) = rest.split_once('{') {
+    while let Some((before, after)) = rest.split_once(open) {
         out += before;
-        let read = after.split_once('}').and_then(|(code, tail)| {
+        let read = after.split_once(close).and_then(|(code, tail)| {
             let c = u32::from_str_radix(code, 16).ok().and_then(char::from_u32)?;
             Some((c, tail))
         });
@@ -43,7 +48,7 @@ fn unescaped(text: &str) -> String {
                 rest = tail;
             }
             None => {
-                out.push('{');
+                out.push(open);
                 rest = after;
             }
         }

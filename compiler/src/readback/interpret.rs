@@ -1,9 +1,10 @@
-//! The modal state machine: what a LinuxCNC machine does with the words of each line. It judges only what keeps it
+//! The modal state machine: what a machine of the dialect does with the words of each line. It judges only what keeps it
 //! from understanding; whether the motion is safe and right is judged in `checks`.
 
 use super::fault::{Fault, FaultKind};
 use super::geometry::Piece;
 use super::lines::{Line, Word};
+use crate::fabricate::machine::{DwellUnit, Profile};
 use glam::{DVec2, DVec3};
 
 /// How a move is made.
@@ -73,7 +74,7 @@ pub enum Event {
         /// Height, mm.
         z: Option<f64>,
     },
-    /// M2.
+    /// M2 or M30.
     End {
         /// Line of the program.
         line: usize,
@@ -100,8 +101,11 @@ impl Trace {
     }
 }
 
-#[derive(Default)]
 struct State {
+    /// The M code that ends a program.
+    end: i64,
+    /// Seconds in one count of a dwell.
+    dwell: f64,
     at: [Option<f64>; 3],
     motion: Option<i64>,
     feed: Option<f64>,
@@ -113,11 +117,34 @@ struct State {
     waited: f64,
 }
 
-/// Runs the lines from a machine whose position is not known.
-pub(super) fn interpret(lines: &[Line], faults: &mut Vec<Fault>) -> Trace {
-    let (mut state, mut trace) = (State::default(), Trace::default());
-    for line in lines.iter().filter(|line| line.comment.is_none()) {
-        let allowed = dialect_words(line, faults);
+/// Runs the lines from a machine whose position is not known, with `tool` in where tools are put in by hand.
+pub(super) fn interpret(
+    lines: &[Line],
+    profile: &Profile,
+    tool: Option<u32>,
+    faults: &mut Vec<Fault>,
+) -> Trace {
+    let mut state = State {
+        end: i64::from(profile.end),
+        dwell: match profile.dwell {
+            DwellUnit::Seconds => 1.0,
+            DwellUnit::Milliseconds => 0.001,
+        },
+        at: [None; 3],
+        motion: None,
+        feed: None,
+        selected: None,
+        tool,
+        offset: None,
+        speed: None,
+        turning: false,
+        waited: 0.0,
+    };
+    let mut trace = Trace::default();
+    // A program's number is judged with its frame.
+    let number = |line: &Line| profile.numbered && line.words.iter().all(|word| word.letter == b'O');
+    for line in lines.iter().filter(|line| line.comment.is_none() && !line.percent && !number(line)) {
+        let allowed = dialect_words(line, profile, faults);
         state.run(line.number, &Words(allowed), &mut trace, faults);
     }
     trace.turning_at_end = state.speed.filter(|_| state.turning);
@@ -138,18 +165,23 @@ impl Words {
     }
 }
 
-/// The allow-list: G and M codes by number, other letters once in a line.
-fn dialect_words(line: &Line, faults: &mut Vec<Fault>) -> Vec<Word> {
-    const G: [i64; 19] = [0, 1, 2, 3, 4, 17, 21, 40, 43, 49, 54, 55, 56, 57, 58, 59, 80, 90, 94];
-    const M: [i64; 4] = [2, 3, 5, 6];
+/// The allow-list: G and M codes by number, other letters once in a line, with or without a point as they must be.
+fn dialect_words(line: &Line, profile: &Profile, faults: &mut Vec<Fault>) -> Vec<Word> {
+    let listed = |codes: &[u8], word: Word| {
+        !word.point && word.whole().is_some_and(|n| codes.iter().any(|&code| i64::from(code) == n))
+    };
     let mut out: Vec<Word> = Vec::new();
     for &word in &line.words {
+        let pause = profile.dwell == DwellUnit::Seconds;
         let known = match word.letter {
-            b'G' => word.whole().is_some_and(|n| G.contains(&n)),
-            b'M' => word.whole().is_some_and(|n| M.contains(&n)),
-            b'T' | b'H' => word.whole().is_some_and(|n| n > 0),
-            b'X' | b'Y' | b'Z' | b'I' | b'J' => true,
-            b'F' | b'S' | b'P' => word.thousandths >= 0,
+            b'G' => listed(profile.g_codes, word),
+            b'M' => listed(profile.m_codes, word),
+            letter if !profile.letters.as_bytes().contains(&letter) => false,
+            b'T' | b'H' => !word.point && word.whole().is_some_and(|n| n > 0),
+            b'X' | b'Y' | b'Z' | b'I' | b'J' => word.point,
+            b'F' => word.point && word.thousandths >= 0,
+            b'S' => word.point != profile.whole_spindle_speed && word.thousandths >= 0,
+            b'P' => word.point == pause && word.thousandths >= 0,
             _ => false,
         };
         let letter = char::from(word.letter);
@@ -208,11 +240,11 @@ impl State {
             }
         }
         if dwell {
-            self.waited += words.get(b'P').map_or(0.0, Word::value);
+            self.waited += words.get(b'P').map_or(0.0, Word::value) * self.dwell;
         } else if [b'X', b'Y', b'Z'].into_iter().any(|axis| words.get(axis).is_some()) {
             self.go(line, words, trace, faults);
         }
-        if words.codes(b'M').any(|code| code == 2) {
+        if words.codes(b'M').any(|code| code == self.end) {
             trace.events.push(Event::End { line });
         }
     }

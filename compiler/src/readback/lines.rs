@@ -1,6 +1,7 @@
 //! From text to lines of words or a comment: the alphabet of the dialect. What words mean is `interpret`'s business.
 
 use super::fault::{Fault, FaultKind};
+use crate::fabricate::machine::Profile;
 
 /// Lines must be shorter than this.
 const LINE_LIMIT: usize = 70;
@@ -12,6 +13,8 @@ pub(super) struct Word {
     pub letter: u8,
     /// In thousandths.
     pub thousandths: i64,
+    /// Whether it has a decimal point: without one, some controls count in thousandths.
+    pub point: bool,
 }
 
 impl Word {
@@ -29,23 +32,30 @@ impl Word {
 /// One line.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Line {
-    /// From 1.
+    /// From 1, counted on through the files of a program.
     pub number: usize,
+    /// Whether it is all of a line `%`.
+    pub percent: bool,
     /// Text between the parentheses of a comment line.
     pub comment: Option<String>,
     /// The words of any other line.
     pub words: Vec<Word>,
 }
 
-/// Reads all lines. A line with a fault keeps the words that could be read.
-pub(super) fn read(text: &str, faults: &mut Vec<Fault>) -> Vec<Line> {
+/// Reads all lines, after `before` others. A line with a fault keeps the words that could be read.
+pub(super) fn read(text: &str, before: usize, profile: &Profile, faults: &mut Vec<Fault>) -> Vec<Line> {
     if !text.ends_with('\n') {
-        faults.push(Fault::new(FaultKind::NotAscii, text.lines().count(), "the last line has no LF"));
+        faults.push(Fault::new(
+            FaultKind::NotAscii,
+            before + text.lines().count(),
+            "the last line has no LF",
+        ));
     }
-    text.split_terminator('\n').enumerate().map(|(i, line)| read_line(line, i + 1, faults)).collect()
+    let lines = text.split_terminator('\n').enumerate();
+    lines.map(|(i, line)| read_line(line, before + i + 1, profile, faults)).collect()
 }
 
-fn read_line(text: &str, number: usize, faults: &mut Vec<Fault>) -> Line {
+fn read_line(text: &str, number: usize, profile: &Profile, faults: &mut Vec<Fault>) -> Line {
     if let Some(c) = text.chars().find(|&c| !(' '..='~').contains(&c)) {
         faults.push(Fault::new(FaultKind::NotAscii, number, format!("has the character {c:?}")));
     }
@@ -54,10 +64,17 @@ fn read_line(text: &str, number: usize, faults: &mut Vec<Fault>) -> Line {
         let message = format!("has {length} characters");
         faults.push(Fault::measured(FaultKind::LineLength, number, length as f64, message));
     }
-    let mut line = Line { number, comment: None, words: Vec::new() };
+    let mut line = Line { number, percent: false, comment: None, words: Vec::new() };
+    if text == "%" && profile.numbered {
+        line.percent = true;
+        return line;
+    }
     if let Some(inner) = text.strip_prefix('(') {
         match inner.strip_suffix(')') {
-            Some(inner) if !inner.contains(['(', ')']) => line.comment = Some(inner.to_owned()),
+            Some(inner) if !inner.contains(['(', ')']) => {
+                check_comment(inner, number, profile, faults);
+                line.comment = Some(inner.to_owned());
+            }
             _ => {
                 faults.push(Fault::new(FaultKind::Syntax, number, "has a comment that does not end the line"))
             }
@@ -74,6 +91,17 @@ fn read_line(text: &str, number: usize, faults: &mut Vec<Fault>) -> Line {
         }
     }
     line
+}
+
+/// Only what the dialect bears in comments; what escapes are made of stands for itself.
+fn check_comment(inner: &str, number: usize, profile: &Profile, faults: &mut Vec<Fault>) {
+    let rule = &profile.comment;
+    let escape = |c: char| c == rule.escape.0 || c == rule.escape.1;
+    let bad =
+        |c: &char| (rule.forbidden.contains(*c) && !escape(*c)) || (rule.capitals && c.is_ascii_lowercase());
+    if let Some(c) = inner.chars().find(bad) {
+        faults.push(Fault::new(FaultKind::Comment, number, format!("has {c:?} in a comment")));
+    }
 }
 
 /// A capital letter, a minus or nothing, one to seven digits, and either nothing or a point and three digits. Minus
@@ -97,5 +125,5 @@ fn word(text: &[u8]) -> Option<Word> {
     if negative && value == 0 {
         return None;
     }
-    Some(Word { letter, thousandths: if negative { -value } else { value } })
+    Some(Word { letter, thousandths: if negative { -value } else { value }, point: point.is_some() })
 }

@@ -1,13 +1,9 @@
 //! The part as the cutter leaves it: the closed full-depth path taken back by the cutter's radius.
 
-use super::cuts::{Cut, HEIGHT, cuts};
+use super::Expected;
+use super::cuts::Cut;
 use super::geometry::{edges, to_segment};
-use super::interpret::Trace;
-use super::{Expected, Fault, FaultKind};
 use glam::DVec2;
-
-/// Ends of the path that are this near meet, mm.
-const MEETS: f64 = 0.0015;
 
 /// The outline and how far it is from the one expected.
 pub(super) struct Rebuilt {
@@ -22,33 +18,18 @@ struct Stretch {
     centre: Option<DVec2>,
 }
 
-/// Rebuilds the outline; a fault and nothing if the full-depth path does not close.
-pub(super) fn outline(trace: &Trace, expected: &Expected, faults: &mut Vec<Fault>) -> Option<Rebuilt> {
-    let all = cuts(trace, expected);
-    let deep =
-        |cut: &&Cut| !cut.engraves && cut.piece.from.z.max(cut.piece.to.z) <= expected.bottom() + HEIGHT;
-    let path: Vec<Stretch> = all.iter().filter(deep).filter_map(stretch).collect();
-    let line = all.last().map_or(0, |cut| cut.made.line);
-    let gap = gap(&path);
-    if gap > MEETS {
-        let message = format!("the full-depth path has a gap of {gap:.3} mm");
-        faults.push(Fault::measured(FaultKind::OutlineOpen, line, gap, message));
-        return None;
-    }
-    let outline = corners(&merged(path, expected.cutter_radius()), expected.cutter_radius());
-    let deviation = farthest(&outline, &expected.outline).max(farthest(&expected.outline, &outline));
-    Some(Rebuilt { outline, deviation })
+/// Rebuilds the outline of a part from the last closed way around it.
+pub(super) fn outline(way: &[Cut], expected: &Expected, part: usize) -> Rebuilt {
+    let path: Vec<Stretch> = way.iter().map(stretch).collect();
+    let (radius, wanted) = (expected.cutter_radius(), &expected.parts[part].outline);
+    let outline = corners(&merged(path, radius), radius);
+    let deviation = farthest(&outline, wanted).max(farthest(wanted, &outline));
+    Rebuilt { outline, deviation }
 }
 
-fn stretch(cut: &Cut) -> Option<Stretch> {
+fn stretch(cut: &Cut) -> Stretch {
     let (from, to) = (cut.piece.from.truncate(), cut.piece.to.truncate());
-    (from != to).then(|| Stretch { from, to, centre: cut.piece.circle().map(|circle| circle.0) })
-}
-
-/// Greatest gap between successive stretches, around; infinite if there is no path.
-fn gap(path: &[Stretch]) -> f64 {
-    let next = path.iter().cycle().skip(1);
-    path.iter().zip(next).map(|(a, b)| a.to.distance(b.from)).fold(f64::NEG_INFINITY, f64::max).abs()
+    Stretch { from, to, centre: cut.piece.circle().map(|circle| circle.0) }
 }
 
 /// Straight stretches that go on in the same direction become one, around the closing too; a straight stretch too

@@ -77,7 +77,9 @@ pub fn verify(folder: &dyn Folder) -> Result<Verdict, NotAManifest> {
             by_hash.push(file.path.clone());
         }
     }
-    boards.together(&mut findings);
+    let unread = boards.together(&mut findings);
+    read -= unread.len();
+    by_hash.extend(unread);
     if let Some(report) = &report {
         report.check_files(&manifest, &mut findings);
         labels::check(&set, report, &mut findings);
@@ -108,9 +110,10 @@ struct Boards<'a> {
 }
 
 impl Boards<'_> {
-    fn together(&self, findings: &mut Findings) {
+    /// The files that could not be read after all.
+    fn together(&self, findings: &mut Findings) -> Vec<String> {
         dxf::check_together(&self.dxf, findings);
-        nc::check_together(&self.nc, &self.dxf, self.report, findings);
+        nc::check_together(&self.nc, &self.dxf, self.report, findings)
     }
 }
 

@@ -11,7 +11,9 @@ use super::finding::Findings;
 use super::report::{Part, Report};
 use super::vote::{most, most_number};
 use crate::fabricate::cut_job::{CutJob, Engraving};
-use crate::fabricate::machine::{CutDirection, Dialect, Machine, MachineSpec, Tool, WorkOffset, ZZero};
+use crate::fabricate::machine::{
+    CutDirection, Dialect, Fixing, Machine, MachineSpec, Tool, WorkOffset, ZZero,
+};
 use crate::readback::{Expected, Motion, Readback, read_back};
 
 /// How far places in a program may be from those in a drawing, mm.
@@ -98,6 +100,13 @@ fn header(text: &str) -> BTreeMap<String, Vec<String>> {
 }
 
 impl Program {
+    /// Whether it is of the base dialect, for a part that is held by the table: others are known by their hash alone.
+    fn is_read(&self) -> bool {
+        self.text.starts_with("(design: ")
+            && self.said("fixing") == "held by the table"
+            && !self.tools.is_empty()
+    }
+
     fn said(&self, key: &str) -> &str {
         self.header.get(key).and_then(|all| all.first()).map_or("", String::as_str)
     }
@@ -119,13 +128,20 @@ pub(super) fn check_together(
     drawings: &[Drawing],
     report: Option<&Report>,
     findings: &mut Findings,
-) {
-    let Some(report) = report else { return };
+) -> Vec<String> {
+    let Some(report) = report else { return by_hash(programs) };
+    let usual = programs.iter().filter(|program| program.is_read()).count() * 2 > programs.len();
+    if !usual {
+        return by_hash(programs);
+    }
+    for program in programs.iter().filter(|program| !program.is_read()) {
+        findings.add(&program.path, "the program", "the dialect and fixing of the others", "another");
+    }
     let drawings: BTreeMap<&str, &Drawing> =
         drawings.iter().map(|drawing| (drawing.address.as_str(), drawing)).collect();
     // Boards of one fabrication and thickness are cut alike; so a damaged header misleads only itself.
     let mut groups: BTreeMap<(usize, i64), Vec<(&Program, &Part)>> = BTreeMap::new();
-    for program in programs {
+    for program in programs.iter().filter(|program| program.is_read()) {
         let Some(part) = report.part(&program.address) else { continue };
         let thickness = (thickness_of(part) * 1000.0).round() as i64;
         groups.entry((part.block, thickness)).or_default().push((program, part));
@@ -147,6 +163,12 @@ pub(super) fn check_together(
             one(program, part, drawings.get(part.address.as_str()).copied(), &machine, report, findings);
         }
     }
+    Vec::new()
+}
+
+/// Programs that are known by their hash alone.
+fn by_hash(programs: &[Program]) -> Vec<String> {
+    programs.iter().map(|program| program.path.clone()).collect()
 }
 
 /// How thick a part is where it is cut.
@@ -255,6 +277,9 @@ fn machine(programs: &[&Program], group: &[(&Program, &Part)]) -> Option<Machine
         spin_up: usual(b'P', cutter, false).unwrap_or(0.0),
         direction: CutDirection::Climb,
         dialect: Dialect::LinuxCnc,
+        allowance: 0.0,
+        fixing: Fixing::Held,
+        clamps: Vec::new(),
         cutter,
         engraver,
         tools,
@@ -332,7 +357,11 @@ fn same_strokes(
     expected: &Expected<'_>,
     findings: &mut Findings,
 ) {
-    let (Some(there), Some(here)) = (drawing.outline.first(), expected.outline.first()) else { return };
+    let (Some(there), Some(here)) =
+        (drawing.outline.first(), expected.parts.first().and_then(|part| part.outline.first()))
+    else {
+        return;
+    };
     let moved = *here - *there;
     let wanted: Vec<(DVec2, DVec2)> = drawing
         .strokes
@@ -345,7 +374,7 @@ fn same_strokes(
     let mut made = Vec::new();
     for m in readback.moves.iter().filter(|m| m.tool != Some(cutter) && m.motion == Motion::Straight) {
         if let ([Some(x0), Some(y0), Some(z0)], [Some(x1), Some(y1), Some(z1)]) = (m.from, m.to)
-            && z0 < expected.machine.top(expected.job.thickness)
+            && z0 < expected.machine.top(expected.thickness)
             && (z0 - z1).abs() < 1e-9
         {
             made.push((DVec2::new(x0, y0), DVec2::new(x1, y1)));
@@ -366,7 +395,7 @@ fn passes(path: &str, readback: &Readback, expected: &Expected<'_>, findings: &m
     let thousandths = |value: f64| (value * 1000.0).round() as i64;
     let cuts: Vec<_> =
         readback.moves.iter().filter(|m| m.tool == Some(cutter) && m.motion != Motion::Rapid).collect();
-    let bottom = expected.machine.bottom(expected.job.thickness);
+    let bottom = expected.machine.bottom(expected.thickness);
     for m in &cuts {
         if let [Some(x), Some(y), Some(z)] = m.to
             && (z - bottom).abs() < 0.002
@@ -374,13 +403,20 @@ fn passes(path: &str, readback: &Readback, expected: &Expected<'_>, findings: &m
             ends.insert((thousandths(x), thousandths(y)));
         }
     }
+    let mut beside = Vec::new();
     for m in cuts {
         if let [Some(x), Some(y), Some(z)] = m.to
-            && z < expected.machine.top(expected.job.thickness) + 1e-9
+            && z < expected.machine.top(expected.thickness) + 1e-9
             && !ends.contains(&(thousandths(x), thousandths(y)))
         {
-            let what = format!("line {}", m.line);
-            findings.add(path, what, "a place of the path at full depth", format!("X{x:.3} Y{y:.3}"));
+            beside.push((m.line, x, y));
+        }
+    }
+    // Where a finishing allowance is left, all of the earlier passes run beside it.
+    if beside.len() < 3 {
+        for (line, x, y) in beside {
+            let found = format!("X{x:.3} Y{y:.3}");
+            findings.add(path, format!("line {line}"), "a place of the path at full depth", found);
         }
     }
 }

@@ -30,6 +30,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("E0807", "a_design_without_figures_is_not_built"),
     ("E0901", "a_board_that_the_machine_cannot_cut"),
     ("E0902", "a_program_that_its_read_back_refuses"),
+    ("E0934", "a_nest_that_its_check_refuses"),
 ];
 
 #[test]
@@ -40,6 +41,7 @@ fn every_code_is_covered() {
     // A program that does not cut its board is a fault of the compiler: its test stands beside the making of programs.
     let beside = [
         "compiler/src/outputs/programs.rs",
+        "compiler/src/outputs/nests.rs",
         "compiler/src/analysis/load/tests.rs",
         "compiler/src/analysis/project.rs",
         "tests/tests/all/projects.rs",

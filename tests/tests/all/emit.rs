@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use ifs_compiler::analysis::Elements;
+use ifs_compiler::analysis::{Elements, Nest};
 use ifs_tests::designs::{analysis_of, assert_same, contents, example_path, example_text, examples};
 use ifs_tests::outcome::run;
 use ifs_tests::referees::python_referee;
@@ -43,18 +43,26 @@ fn only_what_is_asked_for_is_written() {
     for name in examples() {
         let made = analysis_of(&example_text(&name)).fabrications;
         let panels = made.iter().any(|made| matches!(made.elements, Elements::Panels(_)));
-        let lists: &[&str] = match (made.is_empty(), panels) {
-            (true, _) => &[],
-            (_, false) => &["assembly.csv", "cutlist.csv"],
-            (_, true) => &["assembly.csv", "cutlist.csv", "planarity.csv"],
+        let nested = |bars: bool| {
+            made.iter().any(|made| matches!(made.nest, Some(Nest::Bars(_))) == bars && made.nest.is_some())
         };
+        let lists: Vec<&str> = [
+            ("assembly.csv", !made.is_empty()),
+            ("cutlist.csv", !made.is_empty()),
+            ("nest.csv", nested(false)),
+            ("planarity.csv", panels),
+            ("stock.csv", nested(true)),
+        ]
+        .into_iter()
+        .filter_map(|(list, made)| made.then_some(list))
+        .collect();
         let timber: &[&str] = if made.is_empty() { &[] } else { &["model.btlx"] };
         let build = |emit: &str| {
             run(program().arg("build").arg(example_path(&name)).args(["--emit", emit, "-o"]).arg(&out)).good()
         };
         let one_each = [
             ("glb", &["model.glb"][..]),
-            ("csv", lists),
+            ("csv", &lists),
             ("btlx", timber),
             ("html", &["report.html"]),
             ("json", &["report.json"]),
@@ -130,7 +138,13 @@ fn only_boards_that_fit_are_made() {
     assert_eq!(left_out["outputs"], json!([]));
 
     // One board by its address, one output.
-    let address = manifest(&whole)["files"][0]["address"].as_str().unwrap().to_owned();
+    let address = manifest(&whole)["files"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find_map(|file| file["address"].as_str())
+        .unwrap()
+        .to_owned();
     build(&["--only", &address, "--emit", "dxf"]).good();
     let one = contents(&out);
     assert_eq!(one.len(), 3, "{:?}", one.keys());

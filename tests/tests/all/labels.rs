@@ -32,18 +32,24 @@ fn read(folder: &Path, name: &str, svg: &[u8], dots_an_inch: u32) -> BTreeSet<St
 fn zbar_reads_every_address() {
     let folder = scratch("labels");
     let mut sheets = 0;
-    for name in ["shell", "vault"] {
+    // Of the shell the first and the last rows: reading a sheet takes the referee two seconds.
+    for (name, only) in [("shell", &["shell-00-*", "shell-01-*", "shell-15-*"][..]), ("vault", &[])] {
         let analysis = analysis_of(&example_text(name));
-        let made = outputs(&analysis, &Selection::of(&[Format::Svg]));
+        let only = only.iter().map(|pattern| (*pattern).to_owned()).collect();
+        let selection = Selection { formats: vec![Format::Svg], only };
+        let made = outputs(&analysis, &selection);
         let mut found = BTreeSet::new();
-        for file in &made.files {
+        for file in made.files.iter().filter(|file| file.kind == "labels") {
             let mut svg = Vec::new();
             file.write(&mut svg).unwrap();
-            found.extend(read(&folder, &format!("{name}-{}", file.path), &svg, 150));
+            found.extend(read(&folder, &format!("{name}-{}", file.path), &svg, 300));
             sheets += 1;
         }
-        let addresses: BTreeSet<String> =
-            board_names(&analysis).iter().map(|(address, _)| (*address).to_owned()).collect();
+        let addresses: BTreeSet<String> = board_names(&analysis)
+            .iter()
+            .filter(|(address, alias)| selection.takes(address, alias))
+            .map(|(address, _)| (*address).to_owned())
+            .collect();
         assert_eq!(found, addresses, "{name}");
     }
     assert!(sheets > 2, "some need more than one sheet");

@@ -21,6 +21,7 @@ mod maps;
 mod messages;
 mod nasty;
 mod nc;
+mod nesting;
 mod opensubdiv;
 mod pages;
 mod pieces;

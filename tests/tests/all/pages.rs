@@ -11,7 +11,7 @@ use ifs_compiler::diagnostic::Code;
 use ifs_compiler::hir::dimension::Dimension;
 use ifs_compiler::hir::library_docs;
 use ifs_compiler::hir::native::natives;
-use ifs_compiler::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
+use ifs_compiler::hir::schema::{ChoiceKind, Measure, SchemaKind};
 use ifs_compiler::syntax::ast::Unit;
 use ifs_tests::layout::Read;
 use ifs_tests::outcome::run;
@@ -185,11 +185,10 @@ fn words() -> Vec<String> {
     let units = Unit::ALL.iter().map(|unit| unit.suffix().to_owned());
     let dimensions = Dimension::names().map(str::to_owned);
     let measures = Measure::ALL.iter().map(|measure| measure.words().to_owned());
-    let settings =
-        [SchemaKind::Panels, SchemaKind::Planks, SchemaKind::Planarize].into_iter().flat_map(|block| {
-            let settings = block.settings().into_iter().filter(|setting| setting.ty != SettingType::Later);
-            settings.map(|setting| setting.name.to_owned()).collect::<Vec<_>>()
-        });
+    let blocks =
+        [SchemaKind::Panels, SchemaKind::Planks, SchemaKind::Planarize, SchemaKind::Sheets, SchemaKind::Bars];
+    let settings = blocks.into_iter().flat_map(SchemaKind::settings);
+    let settings = settings.map(|setting| setting.name.to_owned());
     let choices = [ChoiceKind::Side, ChoiceKind::Grain, ChoiceKind::Edges, ChoiceKind::Ends, ChoiceKind::Pin];
     let choices = choices.into_iter().flat_map(|choice| {
         choice.words().iter().filter(|word| word.available).map(|word| word.name.to_owned())

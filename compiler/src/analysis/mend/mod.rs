@@ -162,20 +162,20 @@ fn flatter(fabrication: &Fabrication, requirement: &RequirementResult) -> Option
     if too_flat {
         return None;
     }
-    let Some(options) = &panels.perturbation else {
+    let Some(options) = &panels.planarizing else {
         let sentence = "`planarize: {}` moves vertices to make the quads flatter: add it to the block";
         return Some(Remedy::mends(sentence.to_owned()));
     };
     let outcomes = || panels.figures.iter().filter_map(|figure| figure.outcome.as_ref());
     let mut ways = Vec::new();
     if outcomes().any(|outcome| outcome.stop == StopReason::IterationsUsed) {
-        let more = u64::from(options.iterations).saturating_mul(4).max(100);
+        let more = u64::from(options.iterations()).saturating_mul(4).max(100);
         ways.push(format!(
             "planarizing has used up its {} iterations: `iterations: {more}` lets it go on",
-            options.iterations
+            options.iterations()
         ));
     }
-    if options.pin == Pin::Boundary {
+    if options.pin() == Pin::Boundary {
         ways.push("the border is held in place: `pin: corners` or `pin: none` lets it move".to_owned());
     }
     (!ways.is_empty()).then(|| Remedy::mends(ways.join("; ")))

@@ -94,7 +94,7 @@ impl<'a> Variants<'a> {
     pub(super) fn new(hir: &'a Hir, overrides: &'a Overrides, evaluated: &Evaluated) -> Self {
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let planarizes = evaluated.fabrications.iter().any(|made| match &made.elements {
-            Elements::Panels(panels) => panels.perturbation.is_some(),
+            Elements::Panels(panels) => panels.planarizing.is_some(),
             Elements::Planks(_) => false,
         });
         let elements = counts.map(|count| count.elements).sum();
@@ -153,7 +153,7 @@ impl<'a> Variants<'a> {
         let most = (left / each).min(overrides.limits.elements);
         overrides.limits =
             Limits { elements: most, boards: overrides.limits.boards.min(most), ..overrides.limits };
-        let evaluated = evaluate(self.hir, &overrides, false);
+        let evaluated = evaluate(self.hir, &overrides, false, &mut crate::analysis::Unwatched);
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let elements = counts.map(|count| count.elements).sum();
         self.left[purse as usize] = left.saturating_sub(self.cost(elements, planarized));

@@ -17,7 +17,7 @@ pub struct Document<'a> {
     pub made: Vec<Made<'a>>,
     /// The figures nothing is made of.
     pub plain: Vec<Plain>,
-    /// The raw sheets; empty where parts are not nested.
+    /// The raw sheets of the report, in its order.
     pub sheets: Vec<SheetShape>,
 }
 
@@ -26,8 +26,6 @@ pub struct Document<'a> {
 pub struct SheetShape {
     /// Its name.
     pub name: String,
-    /// What it is of: `birch plywood, 12 mm`.
-    pub material: String,
     /// Length, along x and the grain, and width.
     pub size: DVec2,
     /// The part of it that is used, from 0 to 1.

@@ -43,7 +43,7 @@ fn body(page: &mut Markup, document: &Document<'_>) {
             section::fabrication::fabrication(page, (place, fabrication), made);
         }
     }
-    section::sheets::sheets(page, &document.sheets);
+    section::sheets::sheets(page, document.report, &document.sheets);
     page.element("footer", &[], |page| {
         page.text("Lengths in millimetres, angles in degrees, unless another unit is given. Figures are rounded; report.json has all digits.");
     });

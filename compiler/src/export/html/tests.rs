@@ -4,9 +4,10 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
 use super::*;
+use crate::export::number::Fixed;
 use crate::export::part::Part;
-use crate::export::report::Report;
 use crate::export::report::tests::report;
+use crate::export::report::{Report, SheetReport, SheetsReport, UnplacedReport};
 use crate::fabricate::label::Label;
 use crate::fabricate::material::Material;
 use crate::fabricate::panel::{Edges, Grain, PanelSettings, Panels, Side, panels};
@@ -104,21 +105,41 @@ fn too_many_boards_are_drawn_in_blocks_and_listed_in_part() {
 
 #[test]
 fn sheets_are_drawn_where_there_are_any() {
-    let mut page = Markup::default();
-    section::sheets::sheets(&mut page, &[]);
-    assert_eq!(page.finish(), "");
+    let sheets = |report: &Report, shapes: &[SheetShape]| {
+        let mut page = Markup::default();
+        section::sheets::sheets(&mut page, report, shapes);
+        page.finish()
+    };
+    let mut report = report();
+    assert_eq!(sheets(&report, &[]), "");
     let outline = [(0.0, 0.0), (1250.0, 0.0), (1250.0, 625.0), (0.0, 625.0)].map(|(x, y)| DVec2::new(x, y));
-    let sheet = |name: &str| SheetShape {
+    let shapes = ["1", "2", "3"].map(|name| SheetShape {
         name: name.to_owned(),
-        material: "birch plywood, 12 mm".to_owned(),
         size: DVec2::new(2500.0, 1250.0),
         used: 0.25,
         parts: vec![("shell-00-01".to_owned(), outline.to_vec())],
+    });
+    let of = |name: &str| SheetReport {
+        name: name.to_owned(),
+        boards: 1,
+        part_of_area: Fixed::ratio(0.25),
+        files: Vec::new(),
     };
-    let mut page = Markup::default();
-    section::sheets::sheets(&mut page, &[sheet("1"), sheet("2"), sheet("3")]);
-    let text = page.finish();
-    assert!(text.contains("3 sheets, 25.0 % of them used in the mean."), "{text}");
+    report.sheets.push(SheetsReport {
+        material: "birch plywood".to_owned(),
+        thickness_mm: Fixed::mm(12.0),
+        length_mm: Fixed::mm(2500.0),
+        width_mm: Fixed::mm(1250.0),
+        gap_mm: Fixed::mm(10.0),
+        margin_mm: Fixed::mm(15.0),
+        least_sheets: 1,
+        part_of_area: Some(Fixed::ratio(0.25)),
+        sheets: ["1", "2", "3"].map(of).to_vec(),
+        unplaced: vec![UnplacedReport { address: "shell.9".to_owned(), reason: "too large".to_owned() }],
+    });
+    let text = sheets(&report, &shapes);
+    assert!(text.contains("3 sheets of 2500 × 1250 mm") && text.contains(">25.0 %</data>"), "{text}");
+    assert!(text.contains("1 part not placed") && text.contains("too large"), "{text}");
     assert_eq!((text.matches("<svg").count(), text.matches(">shell-00-01<").count()), (3, 3));
     // A quarter of the sheet, at its lower left.
     assert!(text.contains("d=\"M0 41.5L41.5 41.5L41.5 20.75L0 20.75Z\""), "{text}");

@@ -1,5 +1,3 @@
-(address: shell.7-12)
-(alias: a-1)
 (design: shell)
 (design hash: sha256:0123456789abcdef0123456789abcdef0123456789abcd)
 (+ ef0123456789abcdef)
@@ -7,15 +5,19 @@
 (stock: 92.000 x 72.000 x 4.000)
 (origin: lower left of stock)
 (z zero: top of stock)
-(face up: top)
+(fixing: held by the table)
 (units: mm, feeds mm/min)
-(swept x: 10.000 to 82.000)
-(swept y: 10.000 to 62.000)
-(swept z: -4.500 to 20.000)
-(tool: 1 diameter 6.000 name spiral 6)
-(tool: 2 diameter 1.000 name engraver)
+(address: shell.7-12)
+(alias: a-1)
+(at: 16.000 x 16.000 turned 0)
+(face up: top)
 (note: edge 0 bevel 3.250 deg, not cut by this file)
 (note: edge 1 meets shell.8-12 edge 3)
+(swept x: 10.000 to 82.000)
+(swept y: 9.520 to 62.000)
+(swept z: -4.500 to 20.000)
+(tool: 2 diameter 1.000 name engraver)
+(tool: 1 diameter 6.000 name spiral 6)
 G21 G17 G90 G94 G40 G49 G80 G54
 T2 M6
 G43 H2
@@ -73,10 +75,10 @@ G0 Z20.000
 S18000.000 M3
 G4 P3.000
 (outer contour, passes: 1)
-G0 X64.000 Y13.000
+G0 X73.000 Y13.000
 G1 Z1.000 F4000.000
 G1 Z0.000 F1200.000
-G1 X19.000 Y13.000 Z-4.500 F4000.000
+G1 X28.000 Y13.000 Z-4.500 F4000.000
 G1 X16.000 Y13.000
 G2 X13.023 Y16.372 I0.000 J3.000
 G1 X18.023 Y56.372
@@ -85,8 +87,9 @@ G1 X71.000 Y59.000
 G2 X73.977 Y56.372 I0.000 J-3.000
 G1 X78.977 Y16.372
 G2 X76.000 Y13.000 I-2.977 J-0.372
-G1 X64.000 Y13.000
-G1 X19.000 Y13.000
+G1 X73.000 Y13.000
+G1 X28.000 Y13.000
+G3 X25.648 Y12.520 I0.000 J-6.000
 G0 Z20.000
 M5
 M2

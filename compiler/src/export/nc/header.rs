@@ -5,15 +5,15 @@
 
 use super::extents::Extents;
 use super::number::{number, thousandths};
-use crate::fabricate::machine::{Machine, ZZero};
-use crate::fabricate::toolpath::Program;
+use crate::fabricate::machine::{CommentRule, Fixing, Machine, Profile, Tool, ZZero};
+use crate::fabricate::toolpath::{PartHeader, Program};
 
 /// Most characters between the parentheses.
 const WIDTH: usize = 66;
 
 /// The text as one comment line, or several if it is long.
-pub(super) fn comment(text: &str) -> String {
-    let mut rest = escaped(text).into_bytes();
+pub(super) fn comment(text: &str, profile: &Profile) -> String {
+    let mut rest = escaped(text, &profile.comment).into_bytes();
     let mut out = String::new();
     let mut lead = "";
     loop {
@@ -34,37 +34,83 @@ pub(super) fn comment(text: &str) -> String {
     }
 }
 
-fn escaped(text: &str) -> String {
-    let plain = |c: char| (c == ' ' || c.is_ascii_graphic()) && !"(){}%;\\".contains(c);
-    text.chars().map(|c| if plain(c) { c.to_string() } else { format!("{{{:x}}}", u32::from(c)) }).collect()
+fn escaped(text: &str, rule: &CommentRule) -> String {
+    let plain = |c: char| (c == ' ' || c.is_ascii_graphic()) && !rule.forbidden.contains(c);
+    let (open, close) = rule.escape;
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if plain(c) {
+            out.push(c);
+        } else {
+            out += &format!("{open}{:x}{close}", u32::from(c));
+        }
+    }
+    if rule.capitals { out.to_ascii_uppercase() } else { out }
 }
 
-/// The whole header.
-pub(super) fn header(program: &Program, machine: &Machine, swept: &Extents) -> String {
+/// The whole header of a file that uses these tools; `place` among the files of its program, where there are several.
+pub(super) fn header(
+    program: &Program,
+    machine: &Machine,
+    profile: &Profile,
+    swept: &Extents,
+    tools: &[&Tool],
+    place: Option<&str>,
+) -> String {
+    let mut lines = whole(program, machine);
+    for part in &program.parts {
+        lines.extend(of_part(&part.header));
+    }
+    for (axis, low, high) in swept.axes() {
+        lines.push(format!("swept {axis}: {} to {}", number(low), number(high)));
+    }
+    for tool in tools {
+        let diameter = number(thousandths(tool.diameter));
+        lines.push(format!("tool: {} diameter {diameter} name {}", tool.number, tool.name));
+    }
+    if let Some(place) = place {
+        lines.push(format!("file: {place}, put the tool in and set its Z zero first"));
+    }
+    lines.iter().map(|line| comment(line, profile)).collect()
+}
+
+/// What is said of the stock and the machine.
+fn whole(program: &Program, machine: &Machine) -> Vec<String> {
     let (said, spec) = (&program.header, machine.spec());
     let mm = |value: f64| number(thousandths(value));
     let zero = match spec.z_zero {
         ZZero::TopOfStock => "top of stock",
         ZZero::Table => "table",
     };
-    let mut lines = vec![
-        format!("address: {}", said.address),
-        format!("alias: {}", said.alias),
+    let fixing = match spec.fixing {
+        Fixing::Held => "held by the table".to_owned(),
+        Fixing::Tabs { count, width, height } => {
+            format!("tabs {count} width {} height {}", mm(width), mm(height))
+        }
+        Fixing::OnionSkin { thickness } => format!("onion skin {}", mm(thickness)),
+    };
+    let sheet = (!said.sheet.is_empty()).then(|| format!("sheet: {}", said.sheet));
+    let lines = [
         format!("design: {}", said.design),
         format!("design hash: {}", said.design_hash),
         format!("machine: {}", spec.name),
         format!("stock: {} x {} x {}", mm(said.stock.x), mm(said.stock.y), mm(said.stock.z)),
         "origin: lower left of stock".to_owned(),
         format!("z zero: {zero}"),
-        format!("face up: {}", said.face_up),
+        format!("fixing: {fixing}"),
         "units: mm, feeds mm/min".to_owned(),
     ];
-    for (axis, low, high) in swept.axes() {
-        lines.push(format!("swept {axis}: {} to {}", number(low), number(high)));
-    }
-    for tool in spec.tools.iter().filter(|t| t.number == spec.cutter || t.number == spec.engraver) {
-        lines.push(format!("tool: {} diameter {} name {}", tool.number, mm(tool.diameter), tool.name));
-    }
-    lines.extend(said.notes.iter().map(|note| format!("note: {note}")));
-    lines.iter().map(|line| comment(line)).collect()
+    sheet.into_iter().chain(lines).collect()
+}
+
+fn of_part(part: &PartHeader) -> Vec<String> {
+    let mm = |value: f64| number(thousandths(value));
+    let mut lines = vec![
+        format!("address: {}", part.address),
+        format!("alias: {}", part.alias),
+        format!("at: {} x {} turned {}", mm(part.low.x), mm(part.low.y), part.turned),
+        format!("face up: {}", part.face_up),
+    ];
+    lines.extend(part.notes.iter().map(|note| format!("note: {note}")));
+    lines
 }

@@ -15,6 +15,8 @@ pub(super) struct Pen {
     radius: i64,
     feed: String,
     top: i64,
+    /// The tool whose length offset the next motion brings in.
+    offset: Option<u32>,
     pub(super) extents: Extents,
 }
 
@@ -22,7 +24,7 @@ impl Pen {
     /// `top`: height of the stock's upper face, mm.
     pub(super) fn new(top: f64) -> Pen {
         let extents = Extents::default();
-        Pen { at: [None; 3], radius: 0, feed: String::new(), top: thousandths(top), extents }
+        Pen { at: [None; 3], radius: 0, feed: String::new(), top: thousandths(top), offset: None, extents }
     }
 
     /// After a tool change the machine may stand anywhere.
@@ -31,9 +33,15 @@ impl Pen {
         self.radius = thousandths(radius);
     }
 
+    /// The next motion, which is Z alone, takes this tool's length into account.
+    pub(super) fn offset_with_next(&mut self, tool: u32) {
+        self.offset = Some(tool);
+    }
+
     pub(super) fn rapid_z(&mut self, z: f64) -> String {
         let words = self.words(None, thousandths(z));
-        if words.is_empty() { words } else { format!("G0{words}\n") }
+        let offset = self.offset.take().map_or_else(String::new, |tool| format!(" G43 H{tool}"));
+        if words.is_empty() { words } else { format!("G0{offset}{words}\n") }
     }
 
     pub(super) fn rapid_xy(&mut self, to: DVec2) -> String {

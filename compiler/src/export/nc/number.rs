@@ -17,3 +17,8 @@ pub(super) fn number(thousandths: i64) -> String {
 pub(super) fn per_minute(per_second: f64) -> String {
     number(thousandths(per_second * 60.0))
 }
+
+/// A spindle speed per second as a whole number of rpm.
+pub(super) fn whole_per_minute(per_second: f64) -> i64 {
+    (per_second * 60.0).round() as i64
+}

@@ -1,10 +1,21 @@
 //! The number format, escaping, wrapping, and the golden text of one small board.
 
-use super::header::comment;
+use super::header;
 use super::number::{number, per_minute, thousandths};
-use super::write;
+use crate::fabricate::machine::{Dialect, Machine};
+use crate::fabricate::toolpath::Program;
 use crate::fabricate::toolpath::program;
 use crate::fabricate::toolpath::tests::{machine, panel, shaped};
+
+fn comment(text: &str) -> String {
+    header::comment(text, Dialect::LinuxCnc.profile())
+}
+
+fn write(program: &Program, machine: &Machine) -> String {
+    let files = super::write(program, machine);
+    assert_eq!((files.len(), files[0].tool), (1, None));
+    files[0].text.clone()
+}
 
 #[test]
 fn numbers_have_three_decimals_and_no_minus_zero() {

@@ -18,7 +18,7 @@ const WIDTH: f64 = 1.0;
 pub fn engraving(job: &CutJob, machine: Option<&Machine>) -> Result<Vec<Stroke>, Refusal> {
     let outline = Polygon::try_new(&job.outline)?;
     // Placed as in the stock, so that rounding chooses the same place.
-    let border = machine.map_or(0.0, |machine| machine.spec().stock_margin + machine.cutter().diameter);
+    let border = machine.map_or(0.0, Machine::border);
     let shift = DVec2::splat(border) - outline.bounds().0;
     let width = machine.map_or(WIDTH, |machine| machine.engraver().diameter);
     let strokes = lettering::place_strokes(job, width, &outline.shifted(shift))?.into_strokes();

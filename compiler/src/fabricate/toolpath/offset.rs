@@ -30,13 +30,21 @@ pub(super) struct CentrePath {
 /// # Errors
 /// An inner corner that would keep more than 0.005 mm of waste, or a tool too wide for a recess.
 pub(super) fn outward(outline: &Polygon, radius: f64) -> Result<CentrePath, Refusal> {
+    outward_with(outline, radius, LEFT_IN_CORNER)
+}
+
+/// The same with other leave to keep waste in inner corners, which a later pass takes.
+///
+/// # Errors
+/// As [`outward`].
+pub(super) fn outward_with(outline: &Polygon, radius: f64, leave: f64) -> Result<CentrePath, Refusal> {
     let n = outline.len();
     let mut sides: Vec<Side> = (0..n).map(|i| moved_out(outline, i, radius)).collect();
     for corner in 0..n {
         let before = (corner + n - 1) % n;
         let (u, v) = (outline.direction(before), outline.direction(corner));
         if u.perp_dot(v) < 0.0 {
-            let joint = inner_joint(outline, corner, (u, v), radius)?;
+            let joint = inner_joint(outline, corner, (u, v), radius, leave)?;
             sides[before].to = joint;
             sides[corner].from = joint;
         }
@@ -59,10 +67,11 @@ fn inner_joint(
     corner: usize,
     (u, v): (DVec2, DVec2),
     radius: f64,
+    leave: f64,
 ) -> Result<DVec2, Refusal> {
     let half_cosine = ((1.0 + u.dot(v)) / 2.0).max(0.0).sqrt();
     let left = radius / half_cosine - radius;
-    if left > LEFT_IN_CORNER {
+    if left > leave {
         return Err(Refusal::ConcaveCorner { corner, left, radius });
     }
     let bisector = -(u + v).perp() / (u + v).length();

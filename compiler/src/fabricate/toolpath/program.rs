@@ -1,25 +1,63 @@
 //! A program as typed moves: what every dialect of NC text says in its own words. Coordinates are program
 //! coordinates in mm, not rounded.
 
+use crate::fabricate::cut_job::Placed;
 use glam::{DVec2, DVec3};
 
-/// What the program's header says.
+/// What the program's header says of the whole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Header {
-    /// Full address of the part.
-    pub address: String,
-    /// Short name, as engraved.
-    pub alias: String,
+    /// What the sheet is called; empty for a part alone.
+    pub sheet: String,
+    /// The program's number, from 1, for dialects that number programs.
+    pub number: u32,
     /// Name of the design.
     pub design: String,
     /// Hash of the design.
     pub design_hash: String,
     /// Stock in X, Y and thickness, mm.
     pub stock: DVec3,
+}
+
+/// What the program's header says of a part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartHeader {
+    /// Full address of the part.
+    pub address: String,
+    /// Short name, as engraved.
+    pub alias: String,
     /// Which face lies up.
     pub face_up: String,
+    /// Where the least X and Y of the part lie, mm.
+    pub low: DVec2,
+    /// By how many degrees it is turned, anticlockwise.
+    pub turned: u32,
     /// Further lines, as in the job.
     pub notes: Vec<String>,
+}
+
+impl PartHeader {
+    pub(super) fn of(part: &Placed) -> PartHeader {
+        PartHeader {
+            address: part.job.address.clone(),
+            alias: part.job.alias.clone(),
+            face_up: part.job.face_up.clone(),
+            low: part.low,
+            turned: part.rotation.degrees(),
+            notes: part.job.notes.clone(),
+        }
+    }
+}
+
+/// A part of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedPart {
+    /// What the header says of it.
+    pub header: PartHeader,
+    /// The cut outline in program coordinates, mm: where the part lies in the stock.
+    pub outline: Vec<DVec2>,
+    /// Height of capitals of the engraved alias, mm.
+    pub engraved_height: f64,
 }
 
 /// Sense of an arc seen from above.
@@ -86,15 +124,13 @@ pub enum Step {
     },
 }
 
-/// The toolpath of one part. It ends at the safe height with the spindle off.
+/// The toolpath of the parts of a stock. It ends at the safe height with the spindle off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
     /// What the header says.
     pub header: Header,
-    /// The cut outline in program coordinates, mm: where the part lies in the stock.
-    pub placed_outline: Vec<DVec2>,
-    /// Height of capitals of the engraved alias, mm.
-    pub engraved_height: f64,
+    /// The parts in order; at least one.
+    pub parts: Vec<PlacedPart>,
     /// The steps in order.
     pub steps: Vec<Step>,
 }

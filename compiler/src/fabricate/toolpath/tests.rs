@@ -49,24 +49,25 @@ fn a_panel_is_engraved_first_and_cut_in_equal_passes() {
         .iter()
         .filter_map(|s| if let Step::Arc { to, .. } = s { Some(to.z) } else { None })
         .collect();
-    assert_eq!(arcs.len(), 12);
-    for (i, z) in arcs.iter().enumerate() {
+    // The last leads away from the contour.
+    assert_eq!((arcs.len(), arcs[12]), (13, -12.5));
+    for (i, z) in arcs[..12].iter().enumerate() {
         assert!((z + 12.5 / 3.0 * (i / 4 + 1) as f64).abs() < 1e-9);
     }
     assert_eq!(made.steps.last(), Some(&Step::SpindleOff));
     // Stock margin and one tool diameter around the part.
     assert_eq!(made.header.stock, DVec3::new(262.0 + 32.0, 235.0 + 32.0, 12.0));
-    let (low, _) = Polygon::try_new(&made.placed_outline).unwrap().bounds();
+    let (low, _) = Polygon::try_new(&made.parts[0].outline).unwrap().bounds();
     assert!((low - DVec2::splat(16.0)).length() < 1e-12);
 }
 
 #[test]
 fn text_keeps_its_height_where_it_has_room_and_shrinks_where_not() {
     let plank = shaped(&[(0.0, 0.0), (400.0, 0.0), (380.0, 120.0), (15.0, 120.0)]);
-    assert_eq!(program(&plank, &machine()).unwrap().engraved_height, 18.0);
+    assert_eq!(program(&plank, &machine()).unwrap().parts[0].engraved_height, 18.0);
     let mut small = shaped(&[(0.0, 0.0), (60.0, 0.0), (62.0, 55.0), (3.0, 58.0)]);
     small.engraving.least_height = 3.0;
-    let height = program(&small, &machine()).unwrap().engraved_height;
+    let height = program(&small, &machine()).unwrap().parts[0].engraved_height;
     assert!((3.0..6.0).contains(&height), "{height}");
 }
 
@@ -131,11 +132,29 @@ fn bad_outlines_are_refused_with_what_is_wrong() {
 #[test]
 fn every_other_refusal_has_its_own_reason() {
     type Spoil = fn(&mut CutJob, &mut crate::fabricate::machine::MachineSpec);
-    let cases: [(Spoil, &str); 11] = [
+    use crate::fabricate::machine::{Clamp, Fixing};
+    let cases: [(Spoil, &str); 16] = [
+        (
+            |_, m| m.fixing = Fixing::OnionSkin { thickness: 7.0 },
+            "onion skin of 7 mm is more than half of 12",
+        ),
+        (|_, m| m.fixing = Fixing::Tabs { count: 4, width: 8.0, height: 13.0 }, "tabs 13 mm high are higher"),
+        (
+            |_, m| m.fixing = Fixing::Tabs { count: 90, width: 8.0, height: 3.0 },
+            "90 tabs do not fit: one 8 mm wide takes 14 mm",
+        ),
+        (|_, m| m.fixing = Fixing::Tabs { count: 1, width: 300.0, height: 3.0 }, "there is room for 0"),
+        (
+            |_, m| {
+                let (low, high) = (DVec2::new(0.0, 220.0), DVec2::new(10.5, 250.0));
+                m.clamps = vec![Clamp { low, high, height: 5.0 }];
+            },
+            "a tool would touch clamp 0",
+        ),
         (|job, _| job.thickness = f64::NAN, "a thickness of NaN mm"),
         (|job, _| job.thickness = 0.5, "takes more than half of 0.5 mm"),
         (|job, _| job.thickness = 60.0, "60.500 mm deep, its flutes are 50.000 mm"),
-        (|_, m| m.envelope.x = 200.0, "needs 278.000 mm of travel in x"),
+        (|_, m| m.envelope.x = 200.0, "needs 281.480 mm of travel in x"),
         (|_, m| m.envelope.z = 30.0, "needs 32.500 mm of travel in z"),
         (|job, _| job.alias = String::new(), "the alias is empty"),
         (|job, _| job.alias = "shell ".to_owned(), "space at its end"),
@@ -189,4 +208,61 @@ fn a_machine_with_one_tool_changes_it_once() {
     assert_eq!(count(|s| matches!(s, Step::LoadTool { .. })), 1);
     assert_eq!(count(|s| matches!(s, Step::SpindleOn { .. })), 1);
     assert_eq!(count(|s| matches!(s, Step::SpindleOff)), 1);
+}
+
+#[test]
+fn what_would_mend_a_refusal_has_its_figures() {
+    let mut job = panel();
+    job.thickness = 60.0;
+    assert_eq!(
+        refused(&job).remedy().unwrap(),
+        "use a cutter with flutes of at least 60.5 mm, or a thinner board"
+    );
+    let mut spec = router();
+    spec.fixing = crate::fabricate::machine::Fixing::Tabs { count: 90, width: 8.0, height: 3.0 };
+    let refusal = program(&panel(), &Machine::try_new(spec).unwrap()).unwrap_err();
+    let Refusal::TabsDoNotFit { fitting, .. } = refusal else { panic!("{refusal}") };
+    assert!((20..89).contains(&fitting), "{fitting}");
+    assert!(refusal.remedy().unwrap().contains(&format!("ask for {fitting} tabs or fewer")));
+}
+
+mod sheets {
+    use super::*;
+    use crate::fabricate::cut_job::{Placed, Rotation};
+
+    fn board() -> CutJob {
+        shaped(&[(0.0, 0.0), (200.0, 0.0), (180.0, 100.0), (10.0, 100.0)])
+    }
+
+    fn refusal(places: &[(f64, f64)]) -> PartRefusal {
+        let job = board();
+        let parts = places
+            .iter()
+            .map(|&low| Placed { job: &job, rotation: Rotation::None, low: DVec2::from(low) })
+            .collect();
+        let stock = DVec2::new(600.0, 400.0);
+        sheet(&Sheet { name: "plywood.1".to_owned(), number: 1, stock, parts }, &machine()).unwrap_err()
+    }
+
+    #[test]
+    fn parts_need_room_for_the_cutter() {
+        let close = refusal(&[(20.0, 20.0), (20.0, 125.0)]);
+        assert_eq!(close.part, 1);
+        assert_eq!(close.refusal, Refusal::PartsTooClose { other: 0, gap: 5.0, needed: 6.0 });
+        let over = refusal(&[(20.0, 20.0), (40.0, 50.0)]).refusal;
+        assert_eq!(over, Refusal::PartsTooClose { other: 0, gap: 0.0, needed: 6.0 });
+        let edge = refusal(&[(20.0, 20.0), (399.0, 20.0)]);
+        assert_eq!(edge, PartRefusal { part: 1, refusal: Refusal::OutsideStock { room: 1.0, needed: 3.0 } });
+        assert_eq!(refusal(&[]).refusal, Refusal::PartCount { count: 0 });
+    }
+
+    #[test]
+    fn parts_of_a_sheet_are_of_one_thickness() {
+        let (thick, thin) = (board(), CutJob { thickness: 9.0, ..board() });
+        let at = |job, y| Placed { job, rotation: Rotation::Half, low: DVec2::new(20.0, y) };
+        let parts = vec![at(&thick, 20.0), at(&thin, 200.0)];
+        let stock = DVec2::new(600.0, 400.0);
+        let refused = sheet(&Sheet { name: String::new(), number: 1, stock, parts }, &machine()).unwrap_err();
+        assert_eq!(refused.to_string(), "part 1: is 9 mm thick, the first part of its sheet 12 mm");
+    }
 }

@@ -76,7 +76,11 @@ impl Checker<'_> {
         if name == "self" {
             return self.own_ifs(frame, span);
         }
-        if let Some(Type::Choice(kind)) = expected {
+        // A parameter hands a word on: `dialect: dialect`.
+        let local = || frame.locals.iter().any(|local| local.name == name);
+        if let Some(Type::Choice(kind)) = expected
+            && (kind.position(name).is_some() || !local())
+        {
             return self.word(*kind, name, span);
         }
         if *expected.unwrap_or(&Type::Error) == Type::Germ

@@ -133,8 +133,7 @@ impl Checker<'_> {
         earlier: &[SettingValue],
     ) -> Option<SettingValue> {
         let Some(setting) = kind.setting(&name.text) else {
-            let available = kind.settings().into_iter().filter(|setting| setting.ty != SettingType::Later);
-            let known: Vec<&str> = available.map(|setting| setting.name).collect();
+            let known: Vec<&str> = kind.settings().iter().map(|setting| setting.name).collect();
             let message = format!("{} have no setting `{}`", kind.name(), name.text);
             self.unknown_word(Code::E0404, name, message, known.into_iter());
             return None;
@@ -147,10 +146,6 @@ impl Checker<'_> {
         }
         self.refer(name.span, Target::Setting(kind, setting.name));
         let value = match &setting.ty {
-            SettingType::Later => {
-                self.later(&name.text, name.span);
-                return None;
-            }
             SettingType::Of(ty) => self.expect(frame, value, ty),
             SettingType::Library(record) => self.library_record(frame, record, value),
         };

@@ -4,6 +4,7 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::dimension::Dimension;
+use crate::hir::schema::ChoiceKind;
 use crate::hir::tree::ItemKind;
 use crate::hir::types::{PointSpace, Type};
 use crate::syntax::ast;
@@ -23,6 +24,9 @@ const PLAIN: &[(&str, Type)] = &[
     ("Curve", Type::Curve),
     ("Surface", Type::Surface),
     ("Figure", Type::Figure),
+    ("Dialect", Type::Choice(ChoiceKind::Dialect)),
+    ("CutDirection", Type::Choice(ChoiceKind::CutDirection)),
+    ("ZZero", Type::Choice(ChoiceKind::ZZero)),
 ];
 
 impl Checker<'_> {

@@ -6,18 +6,26 @@ use super::{Bar, Plank, Sawn, Stock, TooLong};
 /// How many sums of lengths are looked at for a bar.
 const SUMS: usize = 4000;
 
+/// How many bars are open at once for planks that follow: older ones are full but for little.
+const OPEN: usize = 500;
+
 /// How many of the bars that fit best are tried for a plank.
 const TRIED: usize = 6;
+
+/// A plank that is longer than a bar.
+pub(super) fn too_long(index: usize, plank: &Plank, stock: &Stock) -> Option<TooLong> {
+    let (needed, room) = (alone(plank, stock), stock.length - 2.0 * stock.trim);
+    (needed > room).then_some(TooLong { plank: index, needed, room })
+}
 
 pub(super) fn saw(planks: &[Plank], stock: &Stock) -> Sawn {
     let room = stock.length - 2.0 * stock.trim;
     let mut sawn = Sawn::default();
     let mut waiting: Vec<usize> = Vec::new();
-    for (plank, length) in planks.iter().map(|plank| alone(plank, stock)).enumerate() {
-        if length <= room {
-            waiting.push(plank);
-        } else {
-            sawn.too_long.push(TooLong { plank, needed: length, room });
+    for (index, plank) in planks.iter().enumerate() {
+        match too_long(index, plank, stock) {
+            Some(found) => sawn.too_long.push(found),
+            None => waiting.push(index),
         }
     }
     waiting.sort_by(|&a, &b| planks[b].length.total_cmp(&planks[a].length).then(a.cmp(&b)));
@@ -53,8 +61,9 @@ impl Filler<'_> {
     fn best_fit(&self, waiting: &[usize]) -> Vec<Vec<usize>> {
         let mut bars: Vec<(f64, Vec<usize>)> = Vec::new();
         for &plank in waiting {
-            let mut open: Vec<usize> =
-                (0..bars.len()).filter(|&bar| bars[bar].0 + self.least(plank) <= self.room).collect();
+            let mut open: Vec<usize> = (bars.len().saturating_sub(OPEN)..bars.len())
+                .filter(|&bar| bars[bar].0 + self.least(plank) <= self.room)
+                .collect();
             open.sort_by(|&a, &b| bars[b].0.total_cmp(&bars[a].0).then(a.cmp(&b)));
             let found = open.into_iter().take(TRIED).find(|&bar| {
                 let with: Vec<usize> = bars[bar].1.iter().copied().chain([plank]).collect();

@@ -1,9 +1,10 @@
 //! Planks out of bars of one length: what is asked for and what comes out. How a bar is filled is in `fill`, how
 //! planks follow one another on it in `row`, and how few bars there can be in `bound`.
 //!
-//! The axis of a bar runs along x from its raw left end. A cut leans by an angle from square, positive anticlockwise as
-//! for the mitres of planks. Planks may be turned end for end and over; a plank whose start leans like the end before it
-//! shares its cut.
+//! The axis of a bar runs along x from its raw left end, its depth along y, its width along z. A cut leans by an angle
+//! from square in the plane of x and y, positive anticlockwise as for the mitres of planks, and is tilted out of square
+//! to that plane as for their bevels. Planks may be turned end for end and over; a plank whose start lies like the end
+//! before it shares its cut.
 
 mod bound;
 mod fill;
@@ -20,6 +21,8 @@ pub struct Stock {
     pub length: f64,
     /// Across the bar, in the plane of the mitres.
     pub depth: f64,
+    /// Across the bar, square to that plane.
+    pub width: f64,
     /// What the blade takes, square to the cut.
     pub kerf: f64,
     /// What is left aside at each end of a raw bar.
@@ -33,6 +36,8 @@ pub struct Plank {
     pub length: f64,
     /// How its start and its end lean, rad.
     pub mitres: [f64; 2],
+    /// How its start and its end are tilted, rad.
+    pub bevels: [f64; 2],
 }
 
 /// A plank on a bar.
@@ -48,6 +53,8 @@ pub struct Placed {
     pub at: [f64; 2],
     /// How these cuts lean, rad.
     pub leans: [f64; 2],
+    /// How they are tilted, rad.
+    pub tilts: [f64; 2],
 }
 
 /// One stroke of the saw.
@@ -57,6 +64,8 @@ pub struct Cut {
     pub at: f64,
     /// How it leans, rad.
     pub lean: f64,
+    /// How it is tilted, rad.
+    pub tilt: f64,
     /// The plank before it, whose end it makes.
     pub before: Option<usize>,
     /// The plank after it, whose start it makes.
@@ -108,6 +117,12 @@ pub struct Sawn {
 #[must_use]
 pub fn saw(planks: &[Plank], stock: &Stock) -> Sawn {
     fill::saw(planks, stock)
+}
+
+/// Why a plank cannot be cut out of a bar; none where it can.
+#[must_use]
+pub fn too_long(plank: &Plank, stock: &Stock) -> Option<TooLong> {
+    fill::too_long(0, plank, stock)
 }
 
 #[cfg(test)]

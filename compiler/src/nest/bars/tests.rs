@@ -5,10 +5,15 @@ use proptest::prelude::*;
 use super::*;
 use crate::nest::check::bar_faults;
 
-const STOCK: Stock = Stock { length: 4000.0, depth: 120.0, kerf: 4.0, trim: 0.0 };
+const STOCK: Stock = Stock { length: 4000.0, depth: 120.0, width: 27.0, kerf: 4.0, trim: 0.0 };
 
 fn plank(length: f64, start: f64, end: f64) -> Plank {
-    Plank { length, mitres: [start.to_radians(), end.to_radians()] }
+    Plank { length, mitres: [start.to_radians(), end.to_radians()], bevels: [0.0, 0.0] }
+}
+
+/// Most ends are square to the plane of the mitres; those cut to a plane need not be.
+fn bevel() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => Just(0.0), 1 => -0.6f64..0.6]
 }
 
 proptest! {
@@ -16,14 +21,17 @@ proptest! {
 
     #[test]
     fn all_planks_are_sawn_or_listed(
-        asked in proptest::collection::vec((150.0f64..2500.0, -40.0f64..40.0, -40.0f64..40.0), 1..40),
+        asked in proptest::collection::vec((150.0f64..2500.0, -40.0f64..40.0, -40.0f64..40.0, bevel()), 1..40),
         kerf in 0.0f64..6.0,
         trim in 0.0f64..50.0,
         even in any::<bool>(),
     ) {
         let stock = Stock { kerf, trim, ..STOCK };
-        let planks: Vec<Plank> =
-            asked.iter().map(|&(length, start, end)| plank(length, start, if even { -start } else { end })).collect();
+        let made = asked.iter().map(|&(length, start, end, bevel)| Plank {
+            bevels: [0.0, bevel],
+            ..plank(length, start, if even { -start } else { end })
+        });
+        let planks: Vec<Plank> = made.collect();
         let sawn = saw(&planks, &stock);
         prop_assert_eq!(bar_faults(&planks, &stock, &sawn), []);
         prop_assert_eq!(&saw(&planks, &stock), &sawn);
@@ -78,6 +86,19 @@ fn sums_are_searched_where_best_fit_wastes() {
     // With 7, 5, 5, 3 it must not put the 3 with a 5.
     let planks = [7.0, 5.0, 5.0, 3.0].map(|tenths| plank(tenths * 400.0 - 4.0, 0.0, 0.0));
     assert_eq!(saw(&planks, &STOCK).bars.len(), 2);
+}
+
+#[test]
+fn ends_that_are_tilted_meet_where_one_is_turned() {
+    // Laid end for end the tilt leans the other way, turned over too: both, and the ends are parallel again.
+    let tilted = Plank { bevels: [0.0, 0.3], ..plank(1900.0, 0.0, 0.0) };
+    let sawn = saw(&[tilted; 2], &STOCK);
+    assert_eq!(bar_faults(&[tilted; 2], &STOCK, &sawn), []);
+    let bar = &sawn.bars[0];
+    assert!(
+        bar.cuts.iter().any(|cut| cut.before.is_some() && cut.after.is_some() && cut.tilt.abs() == 0.3),
+        "{bar:?}"
+    );
 }
 
 #[test]

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::distance::distance;
 use super::{Fault, TOLERANCE};
-use crate::nest::bars::{Bar, Placed, Plank, Sawn, Stock};
+use crate::nest::bars::{Bar, Cut, Placed, Plank, Sawn, Stock};
 
 /// What is wrong with how `planks` are sawn; nothing where all is well.
 ///
@@ -29,37 +29,46 @@ pub fn bar_faults(planks: &[Plank], stock: &Stock, sawn: &Sawn) -> Vec<Fault> {
     faults
 }
 
-/// Whether a plank has its length and its mitres. Turning it end for end keeps how its cuts lean and swaps them; turning
-/// it over makes them lean the other way.
+/// Whether a plank has its length, mitres and bevels. Turned end for end its cuts change places and are tilted the other
+/// way, but lean as before; turned over they lean and are tilted the other way.
 fn as_asked(placed: &Placed, planks: &[Plank]) -> bool {
     let Some(plank) = planks.get(placed.plank) else { return false };
     let [first, second] = placed.leans;
     let [start, end] = if placed.end_first { [second, first] } else { [first, second] };
     let sign = if placed.turned_over { -1.0 } else { 1.0 };
+    let [first, second] = placed.tilts;
+    let tilts = if placed.end_first { [second, first] } else { [first, second] };
+    let tilt_sign = if placed.end_first != placed.turned_over { -1.0 } else { 1.0 };
+    let tilted = [0, 1].into_iter().all(|end| (tilt_sign * tilts[end] - plank.bevels[end]).abs() < 1e-9);
     let length = placed.at[1] - placed.at[0];
-    (length - plank.length).abs() < TOLERANCE
+    tilted
+        && (length - plank.length).abs() < TOLERANCE
         && (sign * start - plank.mitres[0]).abs() < 1e-9
         && (sign * end - plank.mitres[1]).abs() < 1e-9
 }
 
 /// Whether each of its faces is a raw end of the bar or made by a cut at that place.
 fn cut_free(placed: &Placed, bar: &Bar) -> bool {
-    let starts = bar
-        .cuts
-        .iter()
-        .any(|cut| cut.after == Some(placed.plank) && (cut.lean - placed.leans[0]).abs() < 1e-6);
-    let ends = bar.cuts.iter().any(|cut| {
-        cut.before == Some(placed.plank)
-            && cut.at == placed.at[1]
-            && (cut.lean - placed.leans[1]).abs() < 1e-6
-    });
-    let raw_start = placed.at[0] == 0.0 && placed.leans[0] == 0.0;
-    let raw_end = placed.leans[1] == 0.0 && bar.planks.last().is_some_and(|last| last.plank == placed.plank);
+    let like = |cut: &Cut, end: usize| {
+        (cut.lean - placed.leans[end]).abs() < 1e-6 && (cut.tilt - placed.tilts[end]).abs() < 1e-6
+    };
+    let square = |end: usize| placed.leans[end] == 0.0 && placed.tilts[end] == 0.0;
+    let starts = bar.cuts.iter().any(|cut| cut.after == Some(placed.plank) && like(cut, 0));
+    let ends = bar.cuts.iter();
+    let ends =
+        ends.filter(|cut| cut.before == Some(placed.plank)).any(|cut| cut.at == placed.at[1] && like(cut, 1));
+    let raw_start = placed.at[0] == 0.0 && square(0);
+    let raw_end = square(1) && bar.planks.last().is_some_and(|last| last.plank == placed.plank);
     (starts || raw_start) && (ends || raw_end)
 }
 
+/// Measured on both faces of the bar that are square to its width: what lies between is between.
 fn outside_or_near(bar: &Bar, stock: &Stock) -> Vec<Fault> {
-    let faces: Vec<[DVec2; 4]> = bar.planks.iter().map(|placed| face(placed, stock.depth)).collect();
+    [-0.5, 0.5].into_iter().flat_map(|side| on_face(bar, stock, side * stock.width)).collect()
+}
+
+fn on_face(bar: &Bar, stock: &Stock, z: f64) -> Vec<Fault> {
+    let faces: Vec<[DVec2; 4]> = bar.planks.iter().map(|placed| face(placed, stock.depth, z)).collect();
     let mut faults = Vec::new();
     for (index, (placed, corners)) in bar.planks.iter().zip(&faces).enumerate() {
         let low = corners.iter().map(|corner| corner.x).fold(f64::INFINITY, f64::min);
@@ -78,11 +87,13 @@ fn outside_or_near(bar: &Bar, stock: &Stock) -> Vec<Fault> {
     faults
 }
 
-/// The face of a plank in the plane of its mitres. A cut that leans anticlockwise runs ahead below the axis.
-fn face(placed: &Placed, depth: f64) -> [DVec2; 4] {
+/// A section of a plank in a plane parallel to that of its mitres. A cut that leans anticlockwise runs ahead below the
+/// axis, one that is tilted upwards behind it.
+fn face(placed: &Placed, depth: f64, z: f64) -> [DVec2; 4] {
     let corner = |end: usize, side: f64| {
         let y = side * depth / 2.0;
-        DVec2::new(placed.at[end] - libm::tan(placed.leans[end]) * y, y)
+        let (lean, tilt) = (placed.leans[end], placed.tilts[end]);
+        DVec2::new(placed.at[end] - libm::tan(lean) * y - libm::tan(tilt) / libm::cos(lean) * z, y)
     };
     [corner(0, -1.0), corner(1, -1.0), corner(1, 1.0), corner(0, 1.0)]
 }

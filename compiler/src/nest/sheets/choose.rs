@@ -24,12 +24,12 @@ const MANNERS: [Manner; 4] = [
 
 pub(super) fn nest(parts: &[Part], sheet: &Sheet) -> Nested {
     let half_gap = sheet.gap / 2.0;
-    let room = sheet.room() + sheet.gap + EXACT;
+    let room = grown_room(sheet);
     let mut nested = Nested::default();
     let mut shapes = Shapes { all: Vec::with_capacity(parts.len()) };
     let mut placeable = Vec::new();
     for (index, part) in parts.iter().enumerate() {
-        match orientations(part, half_gap, room, sheet) {
+        match orientations(part, sheet) {
             Ok(found) => {
                 shapes.all.push(found);
                 placeable.push(index);
@@ -59,7 +59,14 @@ fn quarters(orientations: usize, turn: usize) -> u8 {
     (if orientations == 4 { turn } else { 2 * turn }) as u8
 }
 
-fn orientations(part: &Part, half_gap: f64, room: DVec2, sheet: &Sheet) -> Result<Vec<Shape>, Reason> {
+/// The room on a sheet for parts that are grown by half the gap.
+fn grown_room(sheet: &Sheet) -> DVec2 {
+    sheet.room() + sheet.gap + EXACT
+}
+
+/// A part as it may be turned; the reason where it fits in no way.
+pub(super) fn orientations(part: &Part, sheet: &Sheet) -> Result<Vec<Shape>, Reason> {
+    let (half_gap, room) = (sheet.gap / 2.0, grown_room(sheet));
     let area = area(&part.outline);
     let finite = part.outline.iter().all(|corner| corner.is_finite());
     if part.outline.len() < 3 || !finite || area <= 0.0 || !area.is_finite() {

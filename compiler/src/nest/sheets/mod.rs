@@ -127,6 +127,12 @@ pub fn nest(parts: &[Part], sheet: &Sheet) -> Nested {
     choose::nest(parts, sheet)
 }
 
+/// Why a part cannot lie on a sheet, however it may be turned; none where it can.
+#[must_use]
+pub fn too_large(part: &Part, sheet: &Sheet) -> Option<Reason> {
+    choose::orientations(part, sheet).err()
+}
+
 /// Signed area of a polygon, mm²: positive anticlockwise.
 #[must_use]
 pub fn area(outline: &[DVec2]) -> f64 {

@@ -79,7 +79,7 @@ fn a_folded_quad_is_no_obstacle() {
 }
 
 /// A grid with each vertex shifted by up to `reach` edge lengths.
-fn shaken() -> impl Strategy<Value = QuadMesh> {
+pub(in crate::planarize) fn shaken() -> impl Strategy<Value = QuadMesh> {
     let size = (2usize..6, 2usize..6);
     (size, 0.0f64..1.2, 0u32..3, -1i32..1).prop_flat_map(|((rows, columns), reach, snapped, exponent)| {
         let shifts = proptest::collection::vec(proptest::array::uniform3(-1.0f64..1.0), rows * columns);

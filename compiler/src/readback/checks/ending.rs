@@ -6,7 +6,8 @@ use crate::readback::lines::Line;
 use crate::readback::{Expected, Fault, FaultKind};
 
 pub(super) fn check(trace: &Trace, lines: &[Line], expected: &Expected, faults: &mut Vec<Fault>) {
-    let last = lines.last().map_or(0, |line| line.number);
+    // A mark of the tape's end is no part of the program.
+    let last = lines.iter().rfind(|line| !line.percent).map_or(0, |line| line.number);
     let end = |event: &Event| if let Event::End { line } = event { Some(*line) } else { None };
     let ends: Vec<usize> = trace.events.iter().filter_map(end).collect();
     if ends.len() != 1 {
@@ -22,6 +23,6 @@ pub(super) fn check(trace: &Trace, lines: &[Line], expected: &Expected, faults: 
     if trace.last_z.is_none_or(|z| z < expected.safe() - HEIGHT) {
         let message = format!("does not end at the safe height {:.3}", expected.safe());
         let (kind, measured) = (FaultKind::EndHeight, trace.last_z);
-        faults.push(Fault { kind, line: last, message, measured });
+        faults.push(Fault { kind, line: last, tool: None, message, measured });
     }
 }

@@ -9,14 +9,14 @@ use crate::readback::{Expected, Fault, FaultKind};
 const ROUNDING: f64 = 0.002;
 
 pub(super) fn check(cuts: &[Cut], expected: &Expected, faults: &mut Vec<Fault>) {
-    let margin = expected.job.engraving.clearance + expected.machine.engraver().diameter / 2.0;
     let floor = expected.top() - expected.machine.spec().engrave_depth;
     let contour = cuts.iter().position(|cut| !cut.engraves).unwrap_or(cuts.len());
     for (i, cut) in cuts.iter().enumerate().filter(|(_, cut)| cut.engraves) {
-        let line = cut.made.line;
+        let (line, part) = (cut.made.line, &expected.parts[cut.part]);
+        let margin = part.job.engraving.clearance + expected.machine.engraver().diameter / 2.0;
         for pair in cut.piece.flat().windows(2) {
-            let distance = to_boundary((pair[0], pair[1]), &expected.outline);
-            let signed = if inside(pair[0], &expected.outline) { distance } else { -distance };
+            let distance = to_boundary((pair[0], pair[1]), &part.outline);
+            let signed = if inside(pair[0], &part.outline) { distance } else { -distance };
             if signed < margin - ROUNDING {
                 let message = format!("engraves {signed:.3} mm from the edge, {margin:.3} mm was asked for");
                 faults.push(Fault::measured(FaultKind::EngravingOutside, line, signed, message));

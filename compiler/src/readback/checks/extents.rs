@@ -11,17 +11,20 @@ const TOLERANCE: f64 = 0.003;
 pub(super) fn check(
     entries: &[Entry],
     trace: &Trace,
-    cuts: &[Cut],
+    cuts: &[&Cut],
+    first_line: usize,
     expected: &Expected,
     faults: &mut Vec<Fault>,
 ) {
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
         let key = format!("swept {name}");
         let Some(entry) = entries.iter().find(|entry| entry.key == key) else {
-            faults.push(Fault::new(FaultKind::Extents, 1, format!("the header does not say {key}")));
+            faults.push(Fault::new(FaultKind::Extents, first_line, format!("the header does not say {key}")));
             continue;
         };
-        let said = entry.value.split_once(" to ").and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
+        // In capitals in some dialects.
+        let value = entry.value.to_ascii_lowercase();
+        let said = value.split_once(" to ").and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
         let swept = if axis == 2 { heights(trace) } else { swept(cuts, expected, axis) };
         let off = said.map_or(f64::INFINITY, |(low, high): (f64, f64)| {
             (low - swept.0).abs().max((high - swept.1).abs())
@@ -40,7 +43,7 @@ fn heights(trace: &Trace) -> (f64, f64) {
     heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)))
 }
 
-fn swept(cuts: &[Cut], expected: &Expected, axis: usize) -> (f64, f64) {
+fn swept(cuts: &[&Cut], expected: &Expected, axis: usize) -> (f64, f64) {
     let mut range = (f64::INFINITY, f64::NEG_INFINITY);
     for cut in cuts {
         let tool = expected.machine.spec().tools.iter().find(|t| Some(t.number) == cut.made.tool);

@@ -1,25 +1,24 @@
-//! At full depth the cutter comes to every point of the cut outline: nothing is left standing along it.
+//! At full depth the cutter comes to every point of the cut outline: on its last way around, nothing is left standing
+//! along it but tabs.
 //!
 //! The distance to one straight stretch of path is convex, so an edge's stretch whose two ends are near enough to the
 //! same stretch of path is near enough all along; what is not shown so is halved.
 
-use crate::readback::cuts::{Cut, HEIGHT};
+use crate::readback::cuts::Cut;
 use crate::readback::geometry::{Segment, between, edges, to_segment};
 use crate::readback::{Expected, Fault, FaultKind, OUTLINE_TOLERANCE};
 
 /// Stretches of an edge shorter than this, mm, are judged by their ends.
 const SHORTEST: f64 = 1e-4;
 
-pub(super) fn check(cuts: &[Cut], expected: &Expected, faults: &mut Vec<Fault>) {
-    let full = cuts
-        .iter()
-        .filter(|cut| !cut.engraves && cut.piece.from.z.max(cut.piece.to.z) <= expected.bottom() + HEIGHT);
+/// `way`: the last closed way around the part.
+pub(in crate::readback) fn check(way: &[Cut], expected: &Expected, part: usize, faults: &mut Vec<Fault>) {
     let mut path: Vec<Segment> = Vec::new();
-    for cut in full {
+    for cut in way {
         path.extend(cut.piece.flat().windows(2).map(|pair| (pair[0], pair[1])));
     }
     let reach = expected.cutter_radius() + OUTLINE_TOLERANCE;
-    for (i, edge) in edges(&expected.outline).enumerate() {
+    for (i, edge) in edges(&expected.parts[part].outline).enumerate() {
         let near: Vec<Segment> = path.iter().copied().filter(|&s| between(s, edge) <= reach).collect();
         if let Some(left) = left_standing(edge, &near, reach) {
             let left = left - expected.cutter_radius();

@@ -6,11 +6,24 @@ use proptest::prelude::*;
 fn machines() -> impl Strategy<Value = MachineSpec> {
     let cutter = (2.0..12.0_f64, 1.0..8.0_f64, 10.0..100.0_f64, 2.0..30.0_f64);
     let stock = (0.0..20.0_f64, 0.0..1.0_f64, 5.0..40.0_f64);
-    (cutter, stock, 0.3..1.2_f64, any::<bool>(), any::<bool>()).prop_map(
-        |(cutter, stock, engraver, table, climb)| {
+    let fixing = prop_oneof![
+        Just(Fixing::Held),
+        (1..6_u32, 3.0..9.0_f64, 0.5..3.0_f64).prop_map(|(count, width, height)| Fixing::Tabs {
+            count,
+            width,
+            height
+        }),
+        (0.1..1.5_f64).prop_map(|thickness| Fixing::OnionSkin { thickness }),
+    ];
+    let allowance = prop_oneof![Just(0.0), 0.05..1.0_f64];
+    let ways = (any::<bool>(), any::<bool>(), 0..3_usize);
+    (cutter, stock, 0.3..1.2_f64, ways, fixing, allowance).prop_map(
+        |(cutter, stock, engraver, (table, climb, dialect), fixing, allowance)| {
             let mut spec = router();
             let tool = &mut spec.tools[0];
             (tool.diameter, tool.max_step_down, tool.feed, tool.plunge) = cutter;
+            (spec.fixing, spec.allowance) = (fixing, allowance);
+            spec.dialect = Dialect::ALL[dialect];
             spec.tools[1].diameter = engraver;
             (spec.stock_margin, spec.cut_through, spec.safe_height) = stock;
             spec.z_zero = if table { ZZero::Table } else { ZZero::TopOfStock };
@@ -44,15 +57,14 @@ fn check(corners: &[(f64, f64)], spec: MachineSpec, thickness: f64, has_room: bo
     match program(&job, &machine) {
         // A sharp diamond may have no room for the alias: that must be why.
         Err(refusal) => {
-            assert!(!has_room);
-            assert!(
-                matches!(refusal, crate::fabricate::toolpath::Refusal::TextDoesNotFit { .. }),
-                "{refusal}"
-            );
+            use crate::fabricate::toolpath::Refusal;
+            let tabs = matches!(refusal, Refusal::TabsDoNotFit { .. });
+            assert!(!has_room || tabs, "{refusal}");
+            assert!(tabs || matches!(refusal, Refusal::TextDoesNotFit { .. }), "{refusal}");
         }
         Ok(_) => {
             let read = good(&job, spec);
-            assert!(read.deviation < OUTLINE_TOLERANCE, "{}", read.deviation);
+            assert!(read.parts[0].deviation < OUTLINE_TOLERANCE, "{}", read.parts[0].deviation);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Raw sheets with the parts that lie on them, and how much of each is used.
+//! Raw sheets with the parts that lie on them, raw bars, and how much of each is used.
 
 use glam::DVec2;
 
@@ -6,48 +6,134 @@ use crate::export::html::document::SheetShape;
 use crate::export::html::draw::paper::{Anchor, Path, letters, rectangle, svg, text_width};
 use crate::export::html::draw::scale_bar::scale_bar;
 use crate::export::html::markup::Markup;
-use crate::export::html::number::{counted, shown};
+use crate::export::html::number::{count, count_figure, counted, shown};
+use crate::export::html::table::{Cell, Column, table};
+use crate::export::number::Fixed;
+use crate::export::report::{BarsReport, Report, SheetsReport, UnplacedReport};
 
 /// Sheets drawn, at most.
 const MOST_SHEETS: usize = 60;
 
+/// Bars listed, at most.
+const MOST_BARS: usize = 500;
+
 /// The room for one of them, mm.
 const ROOM: DVec2 = DVec2::new(83.0, 110.0);
 
-/// Writes them; nothing where there are none.
-pub(in crate::export::html) fn sheets(page: &mut Markup, sheets: &[SheetShape]) {
-    if sheets.is_empty() {
-        return;
+/// Writes sheets and bars; nothing where there are none. `shapes` are the sheets of the report in their order.
+pub(in crate::export::html) fn sheets(page: &mut Markup, report: &Report, shapes: &[SheetShape]) {
+    let mut shapes = shapes.iter();
+    for (place, nest) in report.sheets.iter().enumerate() {
+        let own: Vec<&SheetShape> = shapes.by_ref().take(nest.sheets.len()).collect();
+        page.element("section", &[], |page| nested(page, nest, &own, &format!("/sheets/{place}")));
     }
-    page.element("section", &[], |page| {
-        page.texts("h2", &[], "Sheets");
-        let used: f64 = sheets.iter().map(|sheet| sheet.used).sum();
-        let mean = shown(100.0 * used / sheets.len() as f64, 1);
-        let rest = match sheets.len() > MOST_SHEETS {
-            true => format!(" The first {MOST_SHEETS} are drawn; all are in nest.csv."),
-            false => String::new(),
-        };
+    for (place, bars) in report.bars.iter().enumerate() {
+        page.element("section", &[], |page| sawn(page, bars, &format!("/bars/{place}")));
+    }
+}
+
+fn nested(page: &mut Markup, nest: &SheetsReport, shapes: &[&SheetShape], at: &str) {
+    page.texts("h2", &[], &format!("Sheets: {}, {} mm", nest.material, short(nest.thickness_mm)));
+    page.element("p", &[], |page| {
+        let (length, width) = (short(nest.length_mm), short(nest.width_mm));
+        page.text(&format!(
+            "{} of {length} × {width} mm; no fewer than ",
+            counted(nest.sheets.len(), "sheet")
+        ));
+        count_figure(page, nest.least_sheets, &format!("{at}/least_sheets"));
+        page.text(" can do. Boards are ");
+        percent(page, nest.part_of_area, &format!("{at}/yield"));
+        page.text(&format!(" of their area; {} mm between boards, ", short(nest.gap_mm)));
+        page.text(&format!("{} mm to the edge.", short(nest.margin_mm)));
+        if shapes.len() > MOST_SHEETS {
+            page.text(&format!(" The first {MOST_SHEETS} are drawn; all are in nest.csv."));
+        }
+    });
+    for pair in shapes[..shapes.len().min(MOST_SHEETS)].chunks(2) {
+        page.element("figure", &[("class", "pair")], |page| {
+            for sheet in pair {
+                page.element("div", &[], |page| one(page, sheet));
+            }
+        });
+    }
+    unplaced(page, &nest.unplaced, at);
+}
+
+fn sawn(page: &mut Markup, nest: &BarsReport, at: &str) {
+    let section = format!("{} × {} mm", short(nest.depth_mm), short(nest.width_mm));
+    page.texts("h2", &[], &format!("Bars: {}, {section}", nest.material));
+    page.element("p", &[], |page| {
+        let length = short(nest.length_mm);
+        page.text(&format!("{} of {length} mm; no fewer than ", counted(nest.bars.len(), "bar")));
+        count_figure(page, nest.least_bars, &format!("{at}/least_bars"));
+        page.text(" can do. Planks are ");
+        percent(page, nest.part_of_length, &format!("{at}/yield"));
+        page.text(&format!(" of their length; the saw takes {} mm a cut, ", short(nest.kerf_mm)));
+        page.text(&format!(
+            "{} mm are left aside at each end. The places of the cuts are in stock.csv.",
+            short(nest.trim_mm)
+        ));
+    });
+    let columns = [
+        Column::text("Bar", "name"),
+        Column::number("Planks", "", "planks"),
+        Column::number("Cuts", "", "cuts"),
+        Column::number("Offcut", "mm", "offcut_mm"),
+    ];
+    table(page, "dense narrow", &format!("{at}/bars"), &columns, |rows| {
+        for (place, bar) in nest.bars.iter().enumerate().take(MOST_BARS) {
+            let (planks, cuts) = (count(bar.planks), count(bar.cuts));
+            let cells = [Cell::Name(&bar.name), Cell::Text(&planks), Cell::Text(&cuts)];
+            rows.row_of(place, cells.into_iter().chain([Cell::Number(Some(bar.offcut_mm), 1)]));
+        }
+    });
+    if nest.bars.len() > MOST_BARS {
         page.texts(
             "p",
             &[],
-            &format!("{}, {mean} % of them used in the mean.{rest}", counted(sheets.len(), "sheet")),
+            &format!("The first {MOST_BARS} of {}; stock.csv has all.", count(nest.bars.len())),
         );
-        for pair in sheets[..sheets.len().min(MOST_SHEETS)].chunks(2) {
-            page.element("figure", &[("class", "pair")], |page| {
-                for sheet in pair {
-                    page.element("div", &[], |page| one(page, sheet));
-                }
-            });
+    }
+    unplaced(page, &nest.unplaced, at);
+}
+
+/// Those that lie nowhere.
+fn unplaced(page: &mut Markup, all: &[UnplacedReport], at: &str) {
+    if all.is_empty() {
+        return;
+    }
+    page.texts("h3", &[], &format!("{} not placed", counted(all.len(), "part")));
+    let columns = [Column::text("Address", "address"), Column::text("Why", "reason")];
+    table(page, "dense", &format!("{at}/unplaced"), &columns, |rows| {
+        for (place, part) in all.iter().enumerate() {
+            rows.row_of(place, [Cell::Text(&part.address), Cell::Text(&part.reason)]);
         }
     });
 }
 
+/// A length as short as it goes: `12`, or `3.2`.
+fn short(length: Fixed) -> String {
+    let text = shown(length.value, 1);
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
+
+/// A part of 1 as it is in report.json, with the words that make a percentage of it.
+fn percent(page: &mut Markup, part: Option<Fixed>, at: &str) {
+    match part {
+        Some(part) => {
+            let text = format!("{} %", shown(100.0 * part.value, 1));
+            let exact = part.text().unwrap_or_default();
+            page.texts("data", &[("value", &exact), ("data-at", at), ("data-percent", "")], &text);
+        }
+        None => page.text("none"),
+    }
+}
+
 fn one(page: &mut Markup, sheet: &SheetShape) {
     let title = format!(
-        "{}: {}, {}, {} % used",
+        "Sheet {}: {}, {} % used",
         sheet.name,
-        sheet.material,
-        counted(sheet.parts.len(), "part"),
+        counted(sheet.parts.len(), "board"),
         shown(100.0 * sheet.used, 1)
     );
     page.texts("p", &[("class", "over")], &title);
