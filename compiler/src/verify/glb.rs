@@ -225,7 +225,10 @@ fn solids(path: &str, model: &Model<'_>, arrays: &[Option<Rows>], report: &Repor
             findings.add(path, "a solid", "one for each address of report.json", address);
             continue;
         };
-        findings.same(path, "name of a solid", address, name);
+        // A number follows where a figure has the name already.
+        if name != address && !name.starts_with(&format!("{address}~")) {
+            findings.add(path, "name of a solid", address, name);
+        }
         findings.same(path, &format!("alias of {address}"), &part.alias, extra("alias").unwrap_or_default());
         match surface(model, arrays, node) {
             None => findings.add(path, format!("the solid {address}"), "triangles", "others"),

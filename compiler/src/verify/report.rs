@@ -210,9 +210,10 @@ fn one(part: &Part, findings: &mut Findings) {
     let address = &part.address;
     let perimeter: f64 = sides(&part.outline).iter().sum();
     let rounding = 1e-6 + perimeter * 0.001 * 1e-6;
-    if let Some(said) =
-        part.number("area_m2").filter(|_| part.number("fold_deg").is_none_or(|fold| fold < 0.01))
-    {
+    // The outline of a plank whose ends lean in both directions is its longest face, not its middle.
+    let slanted = (0..2).any(|end| part.item("end_bevels_deg", end).is_some_and(|bevel| bevel.abs() > 1e-3));
+    let bent = part.number("fold_deg").is_some_and(|fold| fold >= 0.01);
+    if let Some(said) = part.number("area_m2").filter(|_| !bent && !slanted) {
         let shape = if part.is_plank { &part.outline } else { &part.design_outline };
         let expected = area(shape) * 1e-6;
         findings.near(PATH, &format!("area of {address}"), expected, said, rounding);
