@@ -92,10 +92,7 @@ mod tests {
 
     #[test]
     fn on_paper() {
-        assert_eq!(
-            ["0", "12.3", "-0.25", "100"],
-            [0.001, 12.3, -0.25, 100.0].map(|value| coordinate(value)).as_slice()
-        );
+        assert_eq!(["0", "12.3", "-0.25", "100"], [0.001, 12.3, -0.25, 100.0].map(coordinate).as_slice());
         assert_eq!(stepped(0.99985, 0.00005), "0.99985");
         assert_eq!(stepped(300.0, 50.0), "300");
         assert_eq!(decimals_of(0.5), 1);

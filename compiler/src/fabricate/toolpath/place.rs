@@ -48,7 +48,7 @@ fn outline(placed: &Placed, sheet: &Sheet, machine: &Machine) -> Result<Polygon,
     // The cutter's centre stays over the stock: it may cut into its edge, not beside it.
     let needed = machine.cutter().diameter / 2.0 + machine.spec().allowance;
     let room = least.min(greatest);
-    if !(room >= needed - SLACK) {
+    if room.is_nan() || room < needed - SLACK {
         return Err(Refusal::OutsideStock { room, needed });
     }
     Ok(outline)

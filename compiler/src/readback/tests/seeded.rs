@@ -116,9 +116,12 @@ fn swapped_operations(text: &str) -> String {
     format!("{}{}{}{}", &text[..first], &text[second..end], &text[first..second], &text[end..])
 }
 
+/// A machine and the seeds for its program.
+type Group = (fn() -> MachineSpec, &'static [Seed]);
+
 /// Seeds for programs of other machines.
 #[rustfmt::skip]
-const OTHERS: &[(fn() -> MachineSpec, &[Seed])] = &[
+const OTHERS: &[Group] = &[
     (router, &[
         Seed { kind: FaultKind::Comment, spoil: |t| swap(t, "(engraving", "(engr%ving") },
         Seed { kind: FaultKind::Header, spoil: |t| swap(t, "diameter 6.000", "diameter 8.000") },

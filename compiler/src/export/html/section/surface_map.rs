@@ -18,6 +18,12 @@ pub(super) struct Maps<'a> {
     notes: Vec<String>,
 }
 
+/// The colour of a value.
+pub(super) type Colour<'c> = &'c dyn Fn(Option<f64>) -> Srgb;
+
+/// A value in words.
+pub(super) type Words<'w> = &'w dyn Fn(Option<f64>) -> String;
+
 /// What is said of a quad: by its surface and its place there.
 pub(super) type Measure<'m> = &'m dyn Fn(&SurfaceShape<'_>, usize) -> Option<f64>;
 
@@ -66,7 +72,7 @@ impl<'a> Maps<'a> {
         (title, most): (&str, (f64, f64)),
         mesh: fn(&SurfaceShape<'a>) -> &'a QuadMesh,
         measure: Measure<'_>,
-        (colour, words): (&dyn Fn(Option<f64>) -> Srgb, &dyn Fn(Option<f64>) -> String),
+        (colour, words): (Colour<'_>, Words<'_>),
     ) {
         let room = DVec2::new(most.0 - 2.0, most.1 - 2.0);
         let Some(frame) = Frame::fitted(View::axonometric(), self.points(), room) else { return };
