@@ -102,7 +102,7 @@ fn own_place(node: &Node, number: u32) -> Result<DAffine3, Fault> {
     let [x, y, z, w] = node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]);
     let length = libm::sqrt(x * x + y * y + z * z + w * w);
     // Writers round a turn to single precision; what is no turn at all is another matter.
-    if !((length - 1.0).abs() < 1e-2) {
+    if length.is_nan() || (length - 1.0).abs() >= 1e-2 {
         let what = format!("its rotation is no unit quaternion: the length is {length}");
         return Err(Fault::malformed(format!("nodes[{number}]"), what));
     }

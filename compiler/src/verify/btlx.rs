@@ -10,11 +10,14 @@ use super::report::{Part, Report};
 use super::vote::most;
 use super::xml::{self, Event, attribute};
 
+/// An element: its name, its attributes, its text.
+type Inner = (String, Vec<(String, String)>, String);
+
 /// A part: its attributes, and what lies in it in order.
 #[derive(Default)]
 struct Piece {
     attributes: Vec<(String, String)>,
-    inner: Vec<(String, Vec<(String, String)>, String)>,
+    inner: Vec<Inner>,
 }
 
 impl Piece {

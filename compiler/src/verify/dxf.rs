@@ -116,7 +116,7 @@ pub(super) fn read(
 /// The tags of a file, each on two lines: its code, right-aligned, and its value, of the type that the code is for.
 fn tags<'a>(path: &str, text: &'a str, findings: &mut Findings) -> Option<Vec<Tag<'a>>> {
     let lines: Vec<&str> = text.lines().collect();
-    if lines.len() % 2 != 0 {
+    if !lines.len().is_multiple_of(2) {
         findings.add(path, "lines", "pairs", lines.len());
         return None;
     }
@@ -211,11 +211,11 @@ fn handles(path: &str, entities: &[Entity<'_>], tags: &[Tag<'_>], findings: &mut
 /// An entity has the groups of its kind, and a layer that the drawing has.
 fn shape(path: &str, entity: &Entity<'_>, tags: &[Tag<'_>], findings: &mut Findings) {
     let layer = entity.text(8);
-    if !tags.windows(2).any(|pair| pair[1] == (2, layer)) && !tags.iter().any(|tag| *tag == (2, layer)) {
+    if !tags.windows(2).any(|pair| pair[1] == (2, layer)) && !tags.contains(&(2, layer)) {
         findings.add(path, "layer of an entity", "one of the drawing's", layer);
     }
     let owner = entity.text(330);
-    if owner != "18" && !tags.iter().any(|tag| *tag == (5, owner)) {
+    if owner != "18" && !tags.contains(&(5, owner)) {
         findings.add(path, "owner of an entity", "one of the drawing's", owner);
     }
     let markers: Vec<&str> = entity.tags.iter().filter(|tag| tag.0 == 100).map(|tag| tag.1).collect();

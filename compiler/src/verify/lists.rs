@@ -79,11 +79,8 @@ fn compare(path: &str, part: &Part, header: &str, cell: &str, findings: &mut Fin
     let Some(expected) = said(part, header) else { return };
     let what = || format!("{header} of {}", part.address);
     match expected {
-        Value::Null => {
-            if !cell.is_empty() && !(header == "bend_radius_mm" && cell == "flat") {
-                findings.add(path, what(), "an empty cell", cell);
-            }
-        }
+        Value::Null if cell.is_empty() || (header == "bend_radius_mm" && cell == "flat") => {}
+        Value::Null => findings.add(path, what(), "an empty cell", cell),
         Value::Number(number) => {
             let number = number.as_f64().unwrap_or(f64::NAN);
             findings.near(

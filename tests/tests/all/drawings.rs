@@ -141,7 +141,7 @@ fn ezdxf_reads_arcs_and_any_text() {
         "file": "nasty.dxf", "texts": texts,
         "polylines": { "CUT T1 _8mm_ _a____": [{ "points": points, "closed": true }] },
     });
-    let verdict = judged(&folder, &[expected.clone()]);
+    let verdict = judged(&folder, std::slice::from_ref(&expected));
     assert!(verdict.good, "{}", verdict.faults);
 
     // And what is not there is missed.

@@ -149,7 +149,7 @@ fn only_boards_that_fit_are_made() {
     let one = contents(&out);
     assert_eq!(one.len(), 3, "{:?}", one.keys());
     let outputs = &manifest(&one)["left_out"]["outputs"];
-    assert_eq!(*outputs, json!(["glb", "nc", "btlx", "csv", "svg", "json"]));
+    assert_eq!(*outputs, json!(["glb", "nc", "btlx", "csv", "svg", "html", "json"]));
 
     // Nothing fits: wrong usage, and the folder stays as it is.
     build(&["--only", "shell-99-*"]).failed(2, &["no board", "shell-99-*", "shell-00-00"]);

@@ -49,7 +49,7 @@ const REFEREES: &[(&str, Referee)] = &[
     ("trimesh and scipy", |built| {
         (!parts(&built.report).is_empty()).then(|| python_referee("boards.py", &[&built.folder]))
     }),
-    ("Python's XML parser", |built| Some(python_referee("html.py", &[&built.folder]))),
+    ("Python's XML parser", |built| Some(python_referee("report_page.py", &[&built.folder]))),
     ("LinuxCNC's rs274 and shapely", |built| {
         if !CUT.contains(&built.name.as_str()) {
             return None;
@@ -60,7 +60,7 @@ const REFEREES: &[(&str, Referee)] = &[
     }),
 ];
 
-/// What each program must cut, out of the analysis: the outline moved to where the program's header says it sweeps.
+/// What each program must cut, out of the analysis: the outline moved to where the program's header says it lies.
 fn expected_programs(built: &Built) -> Vec<Value> {
     let analysis = analysis_of(&example_text(&built.name));
     let parts = analysis.fabrications.iter().flat_map(|made| match &made.elements {
@@ -82,7 +82,9 @@ fn expected_programs(built: &Built) -> Vec<Value> {
                 line.split(' ').next().unwrap().parse().unwrap()
             };
             let diameter = after("(tool: 1 diameter ");
-            let corner = (after("(swept x: ") + diameter, after("(swept y: ") + diameter);
+            let at = text.lines().find_map(|line| line.strip_prefix("(at: ")).unwrap();
+            let mut at = at.split(' ').filter_map(|word| word.parse::<f64>().ok());
+            let corner = (at.next().unwrap(), at.next().unwrap());
             let points: Vec<Value> =
                 outline.iter().map(|point| json!([point.x + corner.0, point.y + corner.1])).collect();
             json!({ "file": file, "outline": points, "tool_diameter": diameter, "thickness": thickness })

@@ -97,7 +97,7 @@ fn the_referee_refuses_other_pages() {
     let refused = |from: &str, to: &str| {
         assert!(good.contains(from), "{from:?} is not there");
         fs::write(&path, good.replacen(from, to, 1)).unwrap();
-        let verdict = python_referee("html.py", &[&folder]);
+        let verdict = python_referee("report_page.py", &[&folder]);
         assert!(!verdict.good, "{to:?} for {from:?} was taken");
         verdict.faults
     };
@@ -110,5 +110,5 @@ fn the_referee_refuses_other_pages() {
     let other = after.replace(&format!(">{shown}"), ">0.99979");
     assert!(refused(after, &other).contains("shown as 0.99979"));
     fs::write(&path, &good).unwrap();
-    assert!(python_referee("html.py", &[&folder]).good);
+    assert!(python_referee("report_page.py", &[&folder]).good);
 }

@@ -1,6 +1,6 @@
 //! zbar as referee of the labels: each QR code, printed is read as the address of its board.
 #![allow(clippy::disallowed_methods, reason = "the tests run foreign programs")]
-#![allow(clippy::unwrap_used, reason = "a test may fail anywhere")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail anywhere")]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,6 +1,6 @@
 //! LinuxCNC's interpreter as referee of NC programs: it takes ours, and refuses what is wrong.
 #![allow(clippy::disallowed_methods, reason = "the tests write what the referee reads")]
-#![allow(clippy::unwrap_used, reason = "a test may fail anywhere")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may fail anywhere")]
 
 use std::fs;
 use std::path::Path;

@@ -128,6 +128,6 @@ fn compas_timber_reads_the_parts_of_the_examples() {
     let entry = expected.iter_mut().find(board).unwrap();
     let bevel = entry["parts"][0]["bevels"][1].as_f64().unwrap();
     entry["parts"][0]["bevels"][1] = json!(bevel + 0.01);
-    let other = judged(&folder, &[entry.clone()]);
+    let other = judged(&folder, std::slice::from_ref(entry));
     assert!(!other.good && other.faults.contains("inclinations"), "{}", other.faults);
 }

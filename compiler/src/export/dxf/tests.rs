@@ -1,3 +1,5 @@
+//! Drawings as text: their sections, layers and entities, and any text in them.
+
 use super::text::{escaped, layer_name};
 use super::*;
 use proptest::prelude::*;

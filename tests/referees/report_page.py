@@ -1,4 +1,4 @@
-"""Python's own XML parser as a referee of report.html: `python html.py DIR…`.
+"""Python's own XML parser as a referee of report.html: `python report_page.py DIR…`.
 
 The page is well-formed XML, holds no script and names nothing outside itself; every figure that says its place in
 report.json shows it, rounded to the digits it has; so do the cells of tables that follow a list of report.json; bars of
