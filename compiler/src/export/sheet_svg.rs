@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use glam::DVec2;
 
 use super::number::fixed;
+use super::xml::Escaped;
 
 /// A sheet.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,14 +43,14 @@ pub fn sheet_svg(sheet: &SheetPicture<'_>) -> String {
         number(whole.x),
         number(whole.y)
     );
-    let _ = writeln!(out, "<title>{}</title>", escaped(&sheet.title));
+    let _ = writeln!(out, "<title>{}</title>", Escaped(&sheet.title));
     out.push_str(STYLE);
     let _ = writeln!(
         out,
         "<text class=\"title\" x=\"{}\" y=\"{}\">{}</text>",
         number(AROUND),
         number(AROUND + TITLE * 0.75),
-        escaped(&sheet.title)
+        Escaped(&sheet.title)
     );
     let place = Place { left: AROUND, bottom: 2.0 * AROUND + TITLE + sheet.size.y };
     rectangle(&mut out, "board", &place, DVec2::ZERO, sheet.size);
@@ -132,29 +133,12 @@ fn part(out: &mut String, place: &Place, name: &str, corners: &[DVec2]) {
         number(middle.x),
         number(middle.y),
         number(height),
-        escaped(name)
+        Escaped(name)
     );
 }
 
 fn number(value: f64) -> String {
     fixed(value, 3).unwrap_or_default()
-}
-
-/// Text in XML. What XML has no way to say is left out.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\u{fffe}' | '\u{ffff}' => {}
-            other if other.is_control() => {}
-            other => out.push(other),
-        }
-    }
-    out
 }
 
 #[cfg(test)]

@@ -39,27 +39,25 @@ pub enum ChoiceKind {
 pub struct Word {
     /// As written.
     pub name: &'static str,
-    /// Whether the program can do it already.
-    pub available: bool,
 }
 
-const fn now(name: &'static str) -> Word {
-    Word { name, available: true }
+const fn word(name: &'static str) -> Word {
+    Word { name }
 }
 
 impl ChoiceKind {
     /// Its words in order; a value of the choice is an index into them.
     pub fn words(self) -> &'static [Word] {
-        const SIDE: &[Word] = &[now("inner"), now("centred"), now("outer")];
-        const GRAIN: &[Word] = &[now("u"), now("v"), now("free")];
-        const EDGES: &[Word] = &[now("square"), now("bevelled"), now("stepped")];
-        const ENDS: &[Word] = &[now("square"), now("mitred")];
-        const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
-        const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];
-        const METHOD: &[Word] = &[now("perturbation"), now("projection")];
-        const DIALECT: &[Word] = &[now("linuxcnc"), now("grbl"), now("fanuc")];
-        const CUT_DIRECTION: &[Word] = &[now("climb"), now("conventional")];
-        const Z_ZERO: &[Word] = &[now("top_of_stock"), now("table")];
+        const SIDE: &[Word] = &[word("inner"), word("centred"), word("outer")];
+        const GRAIN: &[Word] = &[word("u"), word("v"), word("free")];
+        const EDGES: &[Word] = &[word("square"), word("bevelled"), word("stepped")];
+        const ENDS: &[Word] = &[word("square"), word("mitred")];
+        const PIN: &[Word] = &[word("boundary"), word("none"), word("corners")];
+        const CLOSED: &[Word] = &[word("u"), word("v"), word("uv")];
+        const METHOD: &[Word] = &[word("perturbation"), word("projection")];
+        const DIALECT: &[Word] = &[word("linuxcnc"), word("grbl"), word("fanuc")];
+        const CUT_DIRECTION: &[Word] = &[word("climb"), word("conventional")];
+        const Z_ZERO: &[Word] = &[word("top_of_stock"), word("table")];
         match self {
             ChoiceKind::Dialect => DIALECT,
             ChoiceKind::CutDirection => CUT_DIRECTION,

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use crate::geometry::{MeshSummary, QuadMesh};
+use super::faces::inverted;
+use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 
 /// Said before each iteration; an answer of `Break` ends the search with the best mesh so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,4 +94,31 @@ pub struct Outcome {
     pub moved: Moved,
     /// How many quads are inverted that were not: 0, whatever is given.
     pub inverted: usize,
+}
+
+impl Outcome {
+    /// What became of `start`, whose quads measured `first`, when its vertices went to `best`.
+    pub(super) fn of(
+        start: &QuadMesh,
+        first: Vec<QuadMeasure>,
+        best: Vec<DVec3>,
+        history: Vec<IterationRecord>,
+        best_iteration: u32,
+        stop: StopReason,
+    ) -> Outcome {
+        let moved = Moved::between(&start.vertices, &best);
+        let inverted = inverted(start, &first, &best);
+        let mesh = QuadMesh { vertices: best, quads: start.quads.clone() };
+        Outcome {
+            after: MeshSummary::of(&mesh),
+            before: MeshSummary::of_measures(first),
+            mesh,
+            iterations: u32::try_from(history.len() - 1).unwrap_or(u32::MAX),
+            history,
+            best_iteration,
+            stop,
+            moved,
+            inverted,
+        }
+    }
 }

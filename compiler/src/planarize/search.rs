@@ -2,13 +2,12 @@
 
 use glam::DVec3;
 
-use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
+use crate::geometry::{QuadMeasure, QuadMesh};
 
-use super::faces::inverted;
 use super::field::{Field, Weights};
 use super::lbfgs::{self, Memory};
 use super::options::Perturbation;
-use super::outcome::{IterationRecord, Moved, Outcome, Progress, StopReason};
+use super::outcome::{IterationRecord, Outcome, Progress, StopReason};
 use super::selection::Selection;
 use super::smoothing::Smoothing;
 
@@ -241,21 +240,7 @@ impl<'a> Search<'a> {
 
     /// The best point, and how it was found.
     pub(super) fn into_outcome(self, stop: StopReason) -> Outcome {
-        let moved = Moved::between(&self.start.vertices, &self.best);
-        let iterations = self.iteration();
-        let inverted = inverted(self.start, &self.first, &self.best);
-        let mesh = QuadMesh { vertices: self.best, quads: self.start.quads.clone() };
-        Outcome {
-            after: MeshSummary::of(&mesh),
-            before: MeshSummary::of_measures(self.first),
-            mesh,
-            history: self.history,
-            iterations,
-            best_iteration: self.best_iteration,
-            stop,
-            moved,
-            inverted,
-        }
+        Outcome::of(self.start, self.first, self.best, self.history, self.best_iteration, stop)
     }
 }
 

@@ -190,9 +190,8 @@ fn words() -> Vec<String> {
     let settings = blocks.into_iter().flat_map(SchemaKind::settings);
     let settings = settings.map(|setting| setting.name.to_owned());
     let choices = [ChoiceKind::Side, ChoiceKind::Grain, ChoiceKind::Edges, ChoiceKind::Ends, ChoiceKind::Pin];
-    let choices = choices.into_iter().flat_map(|choice| {
-        choice.words().iter().filter(|word| word.available).map(|word| word.name.to_owned())
-    });
+    let choices =
+        choices.into_iter().flat_map(|choice| choice.words().iter().map(|word| word.name.to_owned()));
     units.chain(dimensions).chain(measures).chain(settings).chain(choices).collect()
 }
 

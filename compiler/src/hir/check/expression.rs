@@ -93,15 +93,12 @@ impl Checker<'_> {
 
     fn word(&mut self, kind: ChoiceKind, name: &str, span: Span) -> Expr {
         let Some(position) = kind.position(name) else {
-            let words = kind.words().iter().filter(|word| word.available).map(|word| word.name);
+            let words = kind.words().iter().map(|word| word.name);
             let message = format!("`{name}` is none of the words that can stand here");
             let name = ast::Name { text: name.to_owned(), span };
             self.unknown_word(Code::E0411, &name, message, words);
             return error_expr(span);
         };
-        if !kind.words()[position].available {
-            return self.later(name, span);
-        }
         self.refer(span, Target::Choice(kind, position));
         Expr { kind: ExprKind::Choice(kind, position), ty: Type::Choice(kind), span }
     }

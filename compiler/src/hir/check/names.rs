@@ -82,14 +82,6 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn later(&mut self, name: &str, span: Span) -> Expr {
-        let message = format!("`{name}` is not available yet");
-        let diagnostic =
-            Diagnostic::new(Code::E0001, span, message).label("part of the language, but still to come");
-        self.report(diagnostic);
-        error_expr(span)
-    }
-
     /// `keyword` is what would declare it: `let`, `fn`, `figure`.
     pub(super) fn unknown(&mut self, frame: &Frame, name: &str, span: Span, keyword: &str) -> Expr {
         let mut diagnostic =

@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
-use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh, Verdict};
-use crate::planarize::faces::{Face, inverted};
-use crate::planarize::outcome::{IterationRecord, Moved, Outcome, Progress, StopReason};
+use crate::geometry::{QuadMeasure, QuadMesh, Verdict};
+use crate::planarize::faces::Face;
+use crate::planarize::outcome::{IterationRecord, Outcome, Progress, StopReason};
 use crate::planarize::{Projection, selection};
 
 use super::constraints::{Constraint, Goal, Row, constraints, merit};
@@ -213,21 +213,7 @@ impl<'a> Solver<'a> {
     }
 
     fn into_outcome(self, stop: StopReason) -> Outcome {
-        let moved = Moved::between(&self.start.vertices, &self.best);
-        let iterations = self.iteration();
-        let inverted = inverted(self.start, &self.first, &self.best);
-        let mesh = QuadMesh { vertices: self.best, quads: self.start.quads.clone() };
-        Outcome {
-            after: MeshSummary::of(&mesh),
-            before: MeshSummary::of_measures(self.first),
-            mesh,
-            history: self.history,
-            iterations,
-            best_iteration: self.best_iteration,
-            stop,
-            moved,
-            inverted,
-        }
+        Outcome::of(self.start, self.first, self.best, self.history, self.best_iteration, stop)
     }
 }
 
