@@ -33,6 +33,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
         Command::Test(test) => commands::test::test(test, cli.message_format),
         Command::Params(params) => commands::params::params(params, cli.message_format),
         Command::Doc(doc) => commands::doc::doc(doc),
+        Command::Lsp => commands::lsp::lsp(),
         Command::Explain(explain) => commands::explain::explain(explain),
     }
 }
