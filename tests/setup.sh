@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs by package name what the tests need beside Rust: the foreign referees of what ifs writes.
-#   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv, g++, libosd-dev (OpenSubdiv, into target/referees)
+#   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv, g++, libosd-dev (OpenSubdiv, into target/referees),
+#           chromium with fonts-liberation, poppler-utils (pdfinfo, pdftotext)
 #   npm     gltf-validator                             into tests/referees/node_modules
 #   PyPI    geomdl numpy scipy shapely trimesh         into target/referees
 # Quick when everything is there. As root on Debian it installs packages; otherwise it says which are missing and fails.
@@ -17,6 +18,8 @@ fi
 install_debian_packages() {
     local missing=()
     command -v rs274 >/dev/null || missing+=(linuxcnc-uspace)
+    command -v chromium >/dev/null || missing+=(chromium fonts-liberation)
+    command -v pdftotext >/dev/null || missing+=(poppler-utils)
     command -v node >/dev/null || missing+=(nodejs)
     command -v npm >/dev/null || missing+=(npm)
     command -v cc >/dev/null || missing+=(gcc libc6-dev)

@@ -4,6 +4,7 @@
 #![allow(clippy::expect_used)]
 #![allow(clippy::disallowed_methods, reason = "races read clocks")]
 
+pub mod boards;
 pub mod large;
 pub mod pieces;
 pub mod processes;

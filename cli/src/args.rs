@@ -162,6 +162,8 @@ pub enum Emit {
     Nc,
     /// Lists: cutlist.csv, planarity.csv
     Csv,
+    /// The report for people, report.html
+    Html,
     /// The report for programs, report.json
     Json,
     /// The plan, printed on the standard output

@@ -54,7 +54,13 @@ fn selection(emit: &[Emit]) -> Selection {
         return Selection::ALL;
     }
     let wants = |which: Emit| emit.contains(&which);
-    Selection { glb: wants(Emit::Glb), nc: wants(Emit::Nc), csv: wants(Emit::Csv), json: wants(Emit::Json) }
+    Selection {
+        glb: wants(Emit::Glb),
+        nc: wants(Emit::Nc),
+        csv: wants(Emit::Csv),
+        json: wants(Emit::Json),
+        html: wants(Emit::Html),
+    }
 }
 
 fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed, FolderError> {
@@ -64,7 +70,7 @@ fn write(out: &Path, analysis: &Analysis, files: &[Output]) -> Result<Committed,
         staging.write_with(&file.path, file.kind, file.address.as_deref(), |out| file.write(out))?;
     }
     let sources = project_sources(analysis);
-    let sources = sources.iter().map(|(path, text)| SourceRecord::of(path, text.as_bytes())).collect();
+    let sources = sources.iter().map(|(path, bytes)| SourceRecord::of(path, bytes)).collect();
     let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
     staging.commit(&Provenance { sources, parameters })
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use ifs_compiler::analysis::{Analysis, Elements, Fabrication, PanelsMade, PlanksMade};
+use ifs_compiler::analysis::{Analysis, Elements, Fabrication, PanelsMade, PlanksMade, value_words};
 use ifs_compiler::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 
 /// The table, with a final line end.
@@ -46,12 +46,13 @@ fn fabrication(text: &mut String, made: &Fabrication) {
         row(text, "  scale", &format!("{}, sizes are those of the model", scale_words(made.scale)));
     }
     for requirement in &made.requirements {
-        let limit = requirement.limit.words(requirement.measure);
-        row(
-            text,
-            "  require",
-            &format!("{} {limit}: holds for {}", requirement.measure.words(), requirement.result.total),
-        );
+        let (measure, result) = (requirement.measure, &requirement.result);
+        let limit = requirement.limit.words(measure);
+        let found = result.extremes.map_or_else(String::new, |(least, most)| {
+            let (least, most) = (value_words(measure, least), value_words(measure, most));
+            if least == most { format!(", {least}") } else { format!(", {least} .. {most}") }
+        });
+        row(text, "  require", &format!("{} {limit}: holds for {}{found}", measure.words(), result.total));
     }
 }
 

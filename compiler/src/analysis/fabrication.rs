@@ -7,16 +7,17 @@ mod scale;
 
 use super::measures;
 use super::placed::{FigureGeometry, figure_geometry};
-use super::requirements::{LimitValue, RequirementResult, evaluate_limit};
-use super::settings::SettingValue;
+use super::requirements::{LimitValue, RequirementResult, conflicts, evaluate_limit};
+use super::settings::{self, SettingValue};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::label::Label;
-use crate::fabricate::panel::{Panel, PanelSettings, RefusedPanel};
-use crate::fabricate::plank::{Plank, PlankSettings, RefusedPlank};
+use crate::fabricate::panel::{Corner, Panel, PanelRefusal, PanelSettings, RefusedPanel};
+use crate::fabricate::plank::{Plank, PlankRefusal, PlankSettings, RefusedPlank};
 use crate::geometry::QuadMesh;
 use crate::hir::evaluate::Evaluator;
-use crate::hir::schema::SchemaKind;
+use crate::hir::schema::{Measure, SchemaKind};
 use crate::hir::tree::{Fabricate, Hir};
+use crate::hir::value::Value;
 use crate::plan::FigurePlan;
 use crate::plan::lower::Lowered;
 use crate::planarize::{Outcome, Perturbation};
@@ -46,6 +47,36 @@ pub enum Elements {
     Planks(PlanksMade),
 }
 
+impl Elements {
+    /// How many there are, also of those that cannot be made.
+    pub fn total(&self) -> usize {
+        match self {
+            Elements::Panels(made) => made.panels.len() + made.refused.len(),
+            Elements::Planks(made) => made.planks.len() + made.refused.len(),
+        }
+    }
+
+    /// Those that are too large for the raw board or bar, each with its size in words.
+    pub(super) fn too_large(&self) -> Vec<(&Label, String)> {
+        match self {
+            Elements::Panels(made) => {
+                let refused = made.refused.iter();
+                refused
+                    .filter(|refused| matches!(refused.reason, PanelRefusal::TooLarge { .. }))
+                    .map(|refused| (&refused.label, refused.reason.to_string()))
+                    .collect()
+            }
+            Elements::Planks(made) => {
+                let refused = made.refused.iter();
+                refused
+                    .filter(|refused| matches!(refused.reason, PlankRefusal::TooLong { .. }))
+                    .map(|refused| (&refused.label, refused.reason.to_string()))
+                    .collect()
+            }
+        }
+    }
+}
+
 /// The boards of a block.
 #[derive(Clone, Debug)]
 pub struct PanelsMade {
@@ -59,6 +90,8 @@ pub struct PanelsMade {
     pub panels: Vec<Panel>,
     /// Quads no board can be made for.
     pub refused: Vec<RefusedPanel>,
+    /// The corners where boards have to be cut back.
+    pub corners: Vec<Corner>,
 }
 
 /// One surface of a block.
@@ -111,7 +144,16 @@ pub(super) fn fabricate(
     plan: &Lowered,
     block: &Fabricate,
 ) -> (Option<Fabrication>, Vec<Diagnostic>) {
-    let mut work = Work { hir, plan, block, scale: 1.0, settings: Vec::new(), diagnostics: Vec::new() };
+    let leave_unplanarized = evaluator.leaves_unplanarized();
+    let mut work = Work {
+        hir,
+        plan,
+        block,
+        scale: 1.0,
+        settings: Vec::new(),
+        diagnostics: Vec::new(),
+        leave_unplanarized,
+    };
     let made = work.run(evaluator);
     (made, work.diagnostics)
 }
@@ -123,6 +165,7 @@ struct Work<'a> {
     scale: f64,
     settings: Vec<SettingValue>,
     diagnostics: Vec<Diagnostic>,
+    leave_unplanarized: bool,
 }
 
 impl Work<'_> {
@@ -145,6 +188,7 @@ impl Work<'_> {
                 found,
             )?);
         }
+        self.possible(&limits, material.as_ref())?;
         self.within_board_limit(evaluator.limits().boards)?;
         let elements = match self.block.kind {
             SchemaKind::Planks => Elements::Planks(self.planks()?),
@@ -158,6 +202,24 @@ impl Work<'_> {
         let figure = self.hir.item(self.block.figure).name.clone();
         let settings = std::mem::take(&mut self.settings);
         Some(Fabrication { figure, scale: self.scale, elements, settings, requirements })
+    }
+
+    /// Reports what no figure can hold, and masses that are not known.
+    fn possible(&mut self, limits: &[LimitValue], material: Option<&Value>) -> Option<()> {
+        let found = conflicts(&self.block.requirements, limits);
+        let possible = found.is_empty();
+        self.diagnostics.extend(found);
+        let material = settings::material(self.hir, material?);
+        let mass = self.block.requirements.iter().find(|requirement| requirement.measure == Measure::Mass);
+        if let Some(mass) = mass.filter(|_| material.density.is_none()) {
+            let message = format!("the mass is not known: {} has no density", material.name);
+            let diagnostic = Diagnostic::new(Code::E0832, mass.span, message).label("cannot be measured");
+            let hint =
+                "give the record of the material a field `density`, such as `density: Density = 450kg/m3`";
+            self.diagnostics.push(diagnostic.hint(hint));
+            return None;
+        }
+        possible.then_some(())
     }
 
     fn setting(&self, name: &str) -> Option<&SettingValue> {

@@ -2,11 +2,14 @@
 //! not looked at.
 
 mod circles;
+mod meshes;
 mod paths;
 pub(super) mod problems;
 
+pub use meshes::MeshFile;
+
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::LIBRARY;
+use crate::hir::{ImportedMesh, LIBRARY};
 use crate::source::{FileId, Files, ReadError, SourceMap, Span};
 use crate::syntax::{Parse, ast, parse};
 use std::collections::BTreeMap;
@@ -41,6 +44,8 @@ pub struct ProjectFile {
     pub parse: Parse,
     /// Where it names files it uses, and which: those that could be read.
     pub uses: Vec<(Span, FileId)>,
+    /// Where it names meshes, and what they are.
+    pub imports: Vec<(Span, ImportedMesh)>,
     /// Whether all of it could be read.
     pub readable: bool,
 }
@@ -50,6 +55,8 @@ pub(super) struct Loaded {
     pub(super) sources: SourceMap,
     /// The design's own file first, then the files it uses in the order they are met.
     pub(super) files: Vec<ProjectFile>,
+    /// The meshes that any of them names and that could be read, in the order they are met.
+    pub(super) meshes: Vec<MeshFile>,
     pub(super) library: Library,
     pub(super) diagnostics: Vec<Diagnostic>,
 }
@@ -60,6 +67,7 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
         sources: SourceMap::default(),
         found: Vec::new(),
         known: BTreeMap::new(),
+        meshes: meshes::Meshes::default(),
         bytes: 0,
         full: false,
         diagnostics: Vec::new(),
@@ -77,6 +85,7 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
                 path: root.to_owned(),
                 parse: Parse::default(),
                 uses: Vec::new(),
+                imports: Vec::new(),
                 readable: false,
             });
         }
@@ -89,10 +98,17 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
     let mut next = 0;
     while next < loader.found.len() {
         loader.follow(next);
+        loader.import(next);
         next += 1;
     }
     loader.diagnostics.extend(circles::circles(&loader.found));
-    Loaded { sources: loader.sources, files: loader.found, library, diagnostics: loader.diagnostics }
+    Loaded {
+        sources: loader.sources,
+        files: loader.found,
+        meshes: loader.meshes.files,
+        library,
+        diagnostics: loader.diagnostics,
+    }
 }
 
 fn parse_of(sources: &SourceMap, file: FileId) -> Parse {
@@ -113,6 +129,7 @@ struct Loader<'f> {
     found: Vec<ProjectFile>,
     /// Every path met, with the place of the file it leads to.
     known: BTreeMap<String, Result<usize, Failure>>,
+    meshes: meshes::Meshes,
     bytes: usize,
     /// Whether a limit was hit: no more files are read, which has been said.
     full: bool,
@@ -130,7 +147,14 @@ impl Loader<'_> {
         let parse = parse_of(&self.sources, file);
         let readable = wrong.is_none();
         self.known.insert(path.to_owned(), Ok(place));
-        self.found.push(ProjectFile { file, path: path.to_owned(), parse, uses: Vec::new(), readable });
+        self.found.push(ProjectFile {
+            file,
+            path: path.to_owned(),
+            parse,
+            uses: Vec::new(),
+            imports: Vec::new(),
+            readable,
+        });
         place
     }
 
@@ -141,11 +165,7 @@ impl Loader<'_> {
             ast::ItemKind::Use(ast::Use { module: ast::ModulePath::File(path), .. }) => Some(path),
             _ => None,
         });
-        // A text with a mistake in it is not the path that was meant.
-        let whole = |path: &&ast::TextLiteral| {
-            !parse.diagnostics.iter().any(|wrong| path.span.touches(wrong.span.start))
-        };
-        let named: Vec<ast::TextLiteral> = uses.filter(whole).cloned().collect();
+        let named: Vec<ast::TextLiteral> = uses.filter(|path| is_whole(path, parse)).cloned().collect();
         let from = self.found[place].path.clone();
         for path in named {
             if let Some(used) = self.used(&from, &path) {
@@ -160,7 +180,7 @@ impl Loader<'_> {
         let path = match paths::path(from, &written.value) {
             Ok(path) => path,
             Err(fault) => {
-                self.diagnostics.push(problems::no_path(written, &fault));
+                self.diagnostics.push(problems::no_path(written, &fault, "./ribs.ifs"));
                 return None;
             }
         };
@@ -174,7 +194,7 @@ impl Loader<'_> {
         };
         let diagnostic = match outcome {
             Ok(place) => return Some(place),
-            Err(Failure::Unreadable(error)) => problems::unreadable(written, &path, &error),
+            Err(Failure::Unreadable(error)) => problems::unreadable(written, &path, &error, "ifs"),
             Err(_) if self.full => return None,
             Err(Failure::TooManyFiles) => problems::too_many_files(written),
             Err(Failure::TooManyBytes) => problems::too_many_bytes(written),
@@ -190,15 +210,26 @@ impl Loader<'_> {
         if let Some(known) = self.known.get(&resolved) {
             return known.clone();
         }
-        if self.full || self.found.len() >= MOST_FILES {
+        let bytes = self.bytes_of(&resolved)?;
+        Ok(self.add(&resolved, bytes))
+    }
+
+    /// The bytes of one more file, within the limits of a design.
+    fn bytes_of(&self, path: &str) -> Result<Vec<u8>, Failure> {
+        if self.full || self.found.len() + self.meshes.files.len() >= MOST_FILES {
             return Err(Failure::TooManyFiles);
         }
-        let bytes = self.files.read(&resolved).map_err(Failure::Unreadable)?;
+        let bytes = self.files.read(path).map_err(Failure::Unreadable)?;
         if self.bytes.saturating_add(bytes.len()) > MOST_BYTES {
             return Err(Failure::TooManyBytes);
         }
-        Ok(self.add(&resolved, bytes))
+        Ok(bytes)
     }
+}
+
+/// Whether a text is without a mistake: else it is not the path that was meant.
+fn is_whole(path: &ast::TextLiteral, parse: &Parse) -> bool {
+    !parse.diagnostics.iter().any(|wrong| path.span.touches(wrong.span.start))
 }
 
 /// The text of a file; where it is not UTF-8, what stands before the first wrong byte, and that byte with its place.

@@ -15,9 +15,9 @@ mod single;
 mod testing;
 
 pub use fabrication::{Elements, Fabrication, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
-pub use load::{Library, MOST_BYTES, MOST_FILES, ProjectFile};
+pub use load::{Library, MOST_BYTES, MOST_FILES, MeshFile, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry, piece_labels};
-pub use requirements::{LimitValue, RequirementResult};
+pub use requirements::{LimitValue, RequirementResult, value_words};
 pub(crate) use settings::{field, number, text};
 pub use single::{SingleText, single};
 pub use testing::{TestResult, Verdict, run_tests};
@@ -40,6 +40,8 @@ pub struct Analysis {
     pub root: FileId,
     /// The files of the project that the design is made of: its own first, then those it uses as they are met.
     pub files: Vec<ProjectFile>,
+    /// The meshes that they import, as they are met.
+    pub meshes: Vec<MeshFile>,
     /// Its typed tree.
     pub hir: Hir,
     /// What every name stands for and every expression is; empty unless it was read for an editor.
@@ -132,6 +134,7 @@ fn read_by(
         sources: loaded.sources,
         root,
         files: loaded.files,
+        meshes: loaded.meshes,
         hir,
         index,
         parameters: Vec::new(),
@@ -150,6 +153,7 @@ fn modules<'a>(files: &'a [ProjectFile], library: &'a Library) -> Vec<ModuleSour
         file: file.file,
         ast: &file.parse.ast,
         uses: &file.uses,
+        imports: &file.imports,
         complete: file.readable && !file.parse.diagnostics.iter().any(cascades::breaks),
     });
     let library = library.modules().map(|(name, file, ast)| ModuleSource {
@@ -158,6 +162,7 @@ fn modules<'a>(files: &'a [ProjectFile], library: &'a Library) -> Vec<ModuleSour
         file,
         ast,
         uses: &[],
+        imports: &[],
         complete: true,
     });
     own.chain(library).collect()
@@ -189,11 +194,11 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool) -> Evaluated {
     }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
     if mend {
-        let remedies = mend::Remedies::new(hir, overrides, &evaluated);
+        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated);
         let failed: Vec<Diagnostic> = evaluated
             .fabrications
             .iter()
-            .flat_map(|fabrication| requirements::diagnostics(fabrication, &remedies))
+            .flat_map(|fabrication| requirements::diagnostics(fabrication, &mut remedies))
             .collect();
         diagnostics.extend(failed);
     }

@@ -1,12 +1,20 @@
-//! Requirements: their limits worked out, and the diagnostic at the line that asked when one fails.
+//! Requirements: their limits worked out. What nothing can hold is in `conflicts`, how they are told in `words`, and the
+//! diagnostic at the line that asked when one fails in `failure`.
 
-use super::fabrication::Fabrication;
-use super::mend::Remedies;
+mod conflicts;
+mod failure;
+mod words;
+
+pub(super) use conflicts::conflicts;
+pub(super) use failure::diagnostics;
+pub(super) use words::found_words;
+pub use words::value_words;
+
 use super::settings;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::fabricate::checks::{CheckResult, Limit, Measured};
+use crate::fabricate::checks::{CheckResult, Limit};
 use crate::fabricate::material::LeastBendRadius;
-use crate::hir::evaluate::{Evaluator, quantity_words};
+use crate::hir::evaluate::Evaluator;
 use crate::hir::schema::Measure;
 use crate::hir::tree::{self, Fabricate, Hir, Requirement};
 use crate::hir::value::Value;
@@ -14,7 +22,7 @@ use crate::source::Span;
 use crate::syntax::ast::Comparison;
 
 /// The limit of a requirement, worked out.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LimitValue {
     /// Against plain numbers: mm, rad, or a cosine.
     Plain(Limit),
@@ -30,24 +38,6 @@ impl LimitValue {
                 Some(*least)
             }
             _ => None,
-        }
-    }
-
-    /// The limit in words: `at least 80mm`.
-    pub fn words(&self, measure: Measure) -> String {
-        let words = |value: f64| quantity_words(value, measure.dimension());
-        match self {
-            LimitValue::Plain(limit) => match limit {
-                Limit::AtLeast(value) => format!("at least {}", words(*value)),
-                Limit::AtMost(value) => format!("at most {}", words(*value)),
-                Limit::Within(from, to) => format!("{} .. {}", words(*from), words(*to)),
-                Limit::Above(value) => format!("above {}", words(*value)),
-                Limit::Below(value) => format!("below {}", words(*value)),
-                Limit::Equal(value) => words(*value),
-            },
-            LimitValue::Grain(least) => {
-                format!("at least {} across and {} along the grain", words(least.across), words(least.along))
-            }
         }
     }
 }
@@ -80,7 +70,7 @@ pub(super) fn evaluate_limit(
             let span = from.span.to(to.span);
             let (from, to) = (value(from)?.number()?, value(to)?.number()?);
             if from > to {
-                let words = |value: f64| quantity_words(value, requirement.measure.dimension());
+                let words = |value: f64| value_words(requirement.measure, value);
                 let message = format!("nothing lies within {} .. {}", words(from), words(to));
                 let diagnostic = Diagnostic::new(Code::E0607, span, message).label("empty");
                 diagnostics.push(diagnostic.hint("write the smaller end first"));
@@ -103,67 +93,6 @@ pub(super) fn evaluate_limit(
                 // The checker lets no such requirement through.
                 Comparison::NotEqual => return None,
             }))
-        }
-    }
-}
-
-/// A diagnostic for each requirement of a block that fails.
-pub(super) fn diagnostics(fabrication: &Fabrication, remedies: &Remedies<'_>) -> Vec<Diagnostic> {
-    let requirements = fabrication.requirements.iter().enumerate();
-    let failing = requirements.filter(|(_, requirement)| !requirement.result.holds());
-    failing.map(|(place, requirement)| failure(fabrication, place, requirement, remedies)).collect()
-}
-
-fn failure(
-    fabrication: &Fabrication,
-    place: usize,
-    requirement: &RequirementResult,
-    remedies: &Remedies<'_>,
-) -> Diagnostic {
-    let measure = requirement.measure;
-    let result = &requirement.result;
-    let code = match measure {
-        Measure::Planarity => Code::E0810,
-        Measure::Edge => Code::E0811,
-        Measure::Length => Code::E0812,
-        Measure::Mitre => Code::E0813,
-        Measure::Overlap => Code::E0814,
-        Measure::BendRadius => Code::E0815,
-    };
-    let limit = requirement.limit.words(measure);
-    let mut diagnostic = match result.measured.first() {
-        Some(worst) => {
-            let message = format!("{}, but the design asks for {limit}", sentence(measure, worst));
-            Diagnostic::new(code, requirement.span, message)
-        }
-        None => Diagnostic::new(code, requirement.span, "nothing could be measured"),
-    };
-    diagnostic = diagnostic.label(format!("{} of {} fail", result.failing, result.total));
-    let shown = result.failing.min(result.measured.len()).min(4);
-    for other in result.measured.get(1..shown).unwrap_or_default() {
-        diagnostic = diagnostic.note(sentence(measure, other));
-    }
-    if let Some((least, most)) = result.extremes {
-        let words = |value: f64| quantity_words(value, measure.dimension());
-        let (least, most) = (words(least), words(most));
-        if least != most {
-            diagnostic = diagnostic.note(format!("{} goes from {least} to {most}", measure.words()));
-        }
-    }
-    for remedy in remedies.of(fabrication, place) {
-        diagnostic = diagnostic.hint(remedy);
-    }
-    diagnostic
-}
-
-/// `vault-1-03 (vault.1.left…) has a length of 1204.2mm`
-fn sentence(measure: Measure, measured: &Measured) -> String {
-    let value = quantity_words(measured.value, measure.dimension());
-    let place = if measured.place.is_empty() { String::new() } else { format!(", {}", measured.place) };
-    match measure {
-        Measure::Overlap => format!("the joints {} are {value} apart", measured.place),
-        _ => {
-            format!("the {} of {} ({}{place}) is {value}", measure.words(), measured.alias, measured.address)
         }
     }
 }

@@ -130,6 +130,9 @@ codes! {
     E0553 Error "`each until` where elements are joined",
     E0554 Error "elements that have no such size",
     E0555 Error "a mesh whose faces do not fit its points",
+    E0556 Error "a file that gives no mesh",
+    E0557 Error "the path of a mesh that is not written out",
+    E0558 Error "a mesh beyond a limit",
 
     // Boundaries and stated joins.
     E0540 Error "a join names what is not there",
@@ -172,6 +175,20 @@ codes! {
     E0813 Error "`require mitre` fails",
     E0814 Error "`require overlap` fails",
     E0815 Error "`require bend radius` fails",
+    E0816 Error "`require fold` fails",
+    E0817 Error "`require diagonal ratio` fails",
+    E0818 Error "`require width` fails",
+    E0819 Error "`require area` fails",
+    E0830 Error "`require angle` fails",
+    E0831 Error "`require bevel` fails",
+    E0832 Error "`require mass` fails",
+    E0833 Error "`require count` fails",
+    E0834 Error "elements larger than the raw board or bar",
+    E0835 Error "two requirements that exclude each other",
+    E0836 Error "a requirement that nothing can hold",
+
+    // End cuts and edges.
+    E0850 Error "an end cut that the machine cannot make",
 
     // NC programs.
     E0901 Error "an NC program that cannot be made",

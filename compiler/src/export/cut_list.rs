@@ -4,7 +4,7 @@ use super::csv::{Cell, Table};
 use super::part::Part;
 
 /// The columns. Where the cut list of a plank has three lengths, the one between the end cuts on the axis comes first.
-pub const HEADERS: [&str; 31] = [
+pub const HEADERS: [&str; 40] = [
     "address",
     "alias",
     "figure",
@@ -24,14 +24,23 @@ pub const HEADERS: [&str; 31] = [
     "bevel_1_deg",
     "bevel_2_deg",
     "bevel_3_deg",
+    "edge_cut",
+    "relief_0_mm",
+    "relief_1_mm",
+    "relief_2_mm",
+    "relief_3_mm",
     "mitre_start_deg",
     "mitre_end_deg",
+    "bevel_start_deg",
+    "bevel_end_deg",
     "diagonal_mm",
     "fold_deg",
     "planarity",
     "bend_radius_mm",
     "moved_mm",
     "grain",
+    "ring",
+    "order",
     "sheet",
     "files",
     "status",
@@ -67,7 +76,11 @@ fn cells<'a>(part: &'a Part, files: &'a str) -> Vec<Cell<'a>> {
     );
     cells.extend((0..4).map(|side| Cell::from(part.edges_mm.map(|edges| edges[side]))));
     cells.extend(part.bevels_deg.map(Cell::from));
-    cells.extend((0..2).map(|end| Cell::from(part.mitres_deg.map(|mitres| mitres[end]))));
+    cells.push(part.edge_cut.map_or(Cell::Empty, Cell::Text));
+    cells.extend((0..4).map(|corner| Cell::from(part.relief_mm.map(|relief| relief[corner]))));
+    for ends in [part.mitres_deg, part.end_bevels_deg] {
+        cells.extend((0..2).map(|end| Cell::from(ends.map(|angles| angles[end]))));
+    }
     cells.extend([part.diagonal_mm, part.fold_deg, part.planarity].map(Cell::from));
     cells.push(match part.bend_radius_mm {
         Some(radius) => Cell::Number(radius),
@@ -76,6 +89,8 @@ fn cells<'a>(part: &'a Part, files: &'a str) -> Vec<Cell<'a>> {
     });
     cells.push(part.moved_mm.into());
     cells.push(part.grain.map_or(Cell::Empty, Cell::Text));
+    let count = |number: Option<u32>| number.map_or(Cell::Empty, |number| Cell::Count(number.into()));
+    cells.extend([count(part.ring), count(part.order)]);
     cells.push(part.sheet.as_deref().map_or(Cell::Empty, Cell::Text));
     cells.push(Cell::Text(files));
     cells.push(Cell::Text(&part.status));

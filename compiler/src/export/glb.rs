@@ -15,7 +15,7 @@
 //!
 //! Nothing has normals: viewers then shade flat, as boards are.
 
-mod colour;
+pub(super) mod colour;
 mod drawn;
 mod edges;
 mod layout;

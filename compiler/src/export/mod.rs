@@ -3,7 +3,9 @@
 
 pub mod csv;
 pub mod cut_list;
+pub mod dxf;
 pub mod glb;
+pub mod html;
 pub mod nc;
 pub mod number;
 pub mod part;

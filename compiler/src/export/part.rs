@@ -1,10 +1,11 @@
 //! One board or plank as lists and reports give it: the same figures in the cut list and in the report.
 
+use glam::DVec2;
 use serde::Serialize;
 
 use super::number::Fixed;
 use crate::fabricate::label::Label;
-use crate::fabricate::panel::{Grain, Panel};
+use crate::fabricate::panel::{Edges, Grain, Panel};
 use crate::fabricate::plank::Plank;
 
 /// A board or plank, or one that was refused. What does not apply is none: null in JSON, an empty cell in CSV.
@@ -30,7 +31,7 @@ pub struct Part {
     pub width_mm: Option<Fixed>,
     /// Of a board its thickness; of a plank, square to the plane of the curve.
     pub thickness_mm: Option<Fixed>,
-    /// Of the outline.
+    /// Of the design outline of a board; of a plank, length by depth.
     pub area_m2: Option<Fixed>,
     /// Where the material has a density.
     pub mass_kg: Option<Fixed>,
@@ -38,10 +39,38 @@ pub struct Part {
     pub edges_mm: Option<[Fixed; 4]>,
     /// The bevel at each side of a board; none on the border.
     pub bevels_deg: [Option<Fixed>; 4],
-    /// The end cuts of a plank, at its start and its end.
+    /// `square`, `bevelled` or `stepped`: how the edges of a board are cut.
+    pub edge_cut: Option<&'static str>,
+    /// How far the outer face of a board (of stepped edges, the outer half) reaches out of the design outline.
+    pub top_offsets_mm: Option<[Fixed; 4]>,
+    /// The same of its inner face or half.
+    pub bottom_offsets_mm: Option<[Fixed; 4]>,
+    /// How much of each corner of a board is to be cut back where four or more meet.
+    pub relief_mm: Option<[Fixed; 4]>,
+    /// How far each corner of a board stops short of its neighbours there.
+    pub corner_gaps_mm: Option<[Fixed; 4]>,
+    /// The end cuts of a plank in the plane of the curve, at its start and its end.
     pub mitres_deg: Option<[Fixed; 2]>,
+    /// How much they lean out of square to that plane.
+    pub end_bevels_deg: Option<[Fixed; 2]>,
     /// The addresses of its neighbours: across each side of a board; before and after a plank.
     pub neighbours: Vec<Option<String>>,
+    /// Which side of that board it is; for boards.
+    pub neighbour_edges: Vec<Option<u8>>,
+    /// The ring it is put up in, from 0: those on the supports.
+    pub ring: Option<u32>,
+    /// Its place in the order of assembly of the block, from 1.
+    pub order: Option<u32>,
+    /// Its centre of gravity in space.
+    pub centre_mm: Option<[Fixed; 3]>,
+    /// What a machine cuts: corners counter-clockwise seen from outside, the lower left of their box at the origin.
+    pub outline_mm: Vec<[Fixed; 2]>,
+    /// The design outline of a board, in the same frame.
+    pub design_outline_mm: Vec<[Fixed; 2]>,
+    /// The outline of its outer face or half.
+    pub top_outline_mm: Vec<[Fixed; 2]>,
+    /// The outline of its inner face or half.
+    pub bottom_outline_mm: Vec<[Fixed; 2]>,
     /// The diagonal a board is split along.
     pub diagonal_mm: Option<Fixed>,
     /// The angle between the two triangles of a board.
@@ -75,7 +104,24 @@ impl Part {
             mass_kg: panel.mass.map(Fixed::kilograms),
             edges_mm: Some(panel.edges.map(Fixed::mm)),
             bevels_deg: panel.bevels.map(|bevel| bevel.map(Fixed::degrees)),
+            edge_cut: Some(match panel.edge_cut {
+                Edges::Square => "square",
+                Edges::Bevelled => "bevelled",
+                Edges::Stepped => "stepped",
+            }),
+            top_offsets_mm: Some(panel.offsets.map(|offset| Fixed::mm(offset.top))),
+            bottom_offsets_mm: Some(panel.offsets.map(|offset| Fixed::mm(offset.bottom))),
+            relief_mm: Some(panel.relief.map(Fixed::mm)),
+            corner_gaps_mm: Some(panel.corner_gaps.map(Fixed::mm)),
             neighbours: panel.neighbours.to_vec(),
+            neighbour_edges: panel.neighbour_sides.to_vec(),
+            ring: Some(panel.ring),
+            order: Some(panel.order),
+            centre_mm: Some(panel.centre.to_array().map(Fixed::mm)),
+            outline_mm: points(&panel.outline),
+            design_outline_mm: points(&panel.design_outline),
+            top_outline_mm: points(&panel.top_outline),
+            bottom_outline_mm: points(&panel.bottom_outline),
             diagonal_mm: Some(Fixed::mm(panel.diagonal)),
             fold_deg: Some(Fixed::degrees(panel.fold)),
             planarity: Some(Fixed::planarity(panel.planarity)),
@@ -102,7 +148,12 @@ impl Part {
             area_m2: Some(Fixed::square_metres(plank.length * plank.depth)),
             mass_kg: plank.mass.map(Fixed::kilograms),
             mitres_deg: Some(plank.mitres.map(Fixed::degrees)),
+            end_bevels_deg: Some(plank.bevels.map(Fixed::degrees)),
             neighbours: plank.neighbours.to_vec(),
+            ring: Some(plank.ring),
+            order: Some(plank.order),
+            centre_mm: Some(plank.centre.to_array().map(Fixed::mm)),
+            outline_mm: points(&plank.outline),
             grain: Some("axis"),
             ..Self::named(&plank.label, figure, material, "made")
         }
@@ -130,8 +181,22 @@ impl Part {
             mass_kg: None,
             edges_mm: None,
             bevels_deg: [None; 4],
+            edge_cut: None,
+            top_offsets_mm: None,
+            bottom_offsets_mm: None,
+            relief_mm: None,
+            corner_gaps_mm: None,
             mitres_deg: None,
+            end_bevels_deg: None,
             neighbours: Vec::new(),
+            neighbour_edges: Vec::new(),
+            ring: None,
+            order: None,
+            centre_mm: None,
+            outline_mm: Vec::new(),
+            design_outline_mm: Vec::new(),
+            top_outline_mm: Vec::new(),
+            bottom_outline_mm: Vec::new(),
             diagonal_mm: None,
             fold_deg: None,
             planarity: None,
@@ -143,4 +208,8 @@ impl Part {
             status: status.to_owned(),
         }
     }
+}
+
+fn points(outline: &[DVec2]) -> Vec<[Fixed; 2]> {
+    outline.iter().map(|corner| corner.to_array().map(Fixed::mm)).collect()
 }

@@ -1,16 +1,19 @@
 //! `report.json`: what a build made of a design, for programs. Lengths mm, angles degrees, areas m², masses kg; no
 //! time, no path outside the output folder, no user.
 
+mod distribution;
 mod requirement;
 
 use serde::Serialize;
 
 use super::number::Fixed;
 use super::part::Part;
+use crate::fabricate::panel::{Corner, RELIEF_TOLERANCE};
 use crate::geometry::summary::Extreme;
 use crate::geometry::{MeshSummary, QuadMesh};
 
-pub use requirement::{Quantity, Requirement, WorstReport};
+pub use distribution::{BINS, Distribution};
+pub use requirement::{LimitReport, Quantity, Requirement, WorstReport};
 
 /// The version of the schema. It rises when a field goes or changes its meaning.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -24,6 +27,12 @@ pub struct Report {
     pub compiler: String,
     /// The name of the design.
     pub design: String,
+    /// What the design says about itself: its first paragraph, empty where there is none.
+    pub summary: String,
+    /// The hash of its sources and parameters, as in the headers of programs.
+    pub design_hash: String,
+    /// The texts it is made of, its own first.
+    pub sources: Vec<SourceReport>,
     /// Its parameters, in the order of the sources.
     pub parameters: Vec<Parameter>,
     /// Its figures, in the order of the sources.
@@ -40,6 +49,9 @@ impl Report {
             schema_version: SCHEMA_VERSION,
             compiler: env!("CARGO_PKG_VERSION").to_owned(),
             design: design.to_owned(),
+            summary: String::new(),
+            design_hash: String::new(),
+            sources: Vec::new(),
             parameters: Vec::new(),
             figures: Vec::new(),
             fabrications: Vec::new(),
@@ -55,6 +67,15 @@ impl Report {
         text.push('\n');
         Ok(text)
     }
+}
+
+/// A text that a design is made of.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct SourceReport {
+    /// Its path in the project.
+    pub path: String,
+    /// The SHA-256 of its bytes, in hexadecimal digits.
+    pub sha256: String,
 }
 
 /// A parameter of the design.
@@ -115,6 +136,8 @@ pub struct Fabrication {
     pub counts: Counts,
     /// For panels.
     pub planarity: Option<PlanarityReport>,
+    /// For panels: the corners where boards have to be cut back.
+    pub relief: Option<ReliefReport>,
     /// What the block requires, in the order it is written.
     pub requirements: Vec<Requirement>,
     /// Boards and planks, then refused ones.
@@ -129,6 +152,50 @@ impl Fabrication {
     }
 }
 
+/// The corners of boards that reach past their neighbours, where four or more meet and the edges are bevelled.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ReliefReport {
+    /// Corners that reach no further than this need no relief.
+    pub tolerance_mm: Fixed,
+    /// How many corners need it.
+    pub corners: usize,
+    /// The worst of them, the worst first.
+    pub worst: Vec<CornerReport>,
+}
+
+/// A corner where boards meet.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CornerReport {
+    /// The addresses of the boards.
+    pub boards: Vec<String>,
+    /// The most that one of them has to be cut back.
+    pub relief_mm: Fixed,
+}
+
+/// How many corners a [`ReliefReport`] names.
+const NAMED_CORNERS: usize = 20;
+
+impl ReliefReport {
+    /// Of all corners that need relief.
+    #[must_use]
+    pub fn of(corners: &[Corner]) -> Self {
+        let mut worst: Vec<&Corner> = corners.iter().collect();
+        // Equal ones stay in the order of the vertices.
+        worst.sort_by(|a, b| b.relief.total_cmp(&a.relief));
+        let named = worst.into_iter().take(NAMED_CORNERS);
+        Self {
+            tolerance_mm: Fixed::mm(RELIEF_TOLERANCE),
+            corners: corners.len(),
+            worst: named
+                .map(|corner| CornerReport {
+                    boards: corner.boards.clone(),
+                    relief_mm: Fixed::mm(corner.relief),
+                })
+                .collect(),
+        }
+    }
+}
+
 /// The material of a fabrication.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MaterialReport {
@@ -138,6 +205,16 @@ pub struct MaterialReport {
     pub thickness_mm: Option<Fixed>,
     /// All parts together; none where the density is unknown.
     pub mass_kg: Option<Fixed>,
+    /// Of all parts together: outlines of boards, faces of planks in the plane of their curve.
+    pub area_m2: Fixed,
+    /// All planks end to end on their axes; none for boards.
+    pub length_mm: Option<Fixed>,
+    /// The raw board, length and width; none for planks.
+    pub board_mm: Option<[Fixed; 2]>,
+    /// The length of a raw bar; none for boards.
+    pub bar_mm: Option<Fixed>,
+    /// The raw boards or bars that hold as much as all parts: no fewer can do, and cuts and offcuts take more.
+    pub raw_at_least: u64,
 }
 
 /// How many elements there were.
@@ -158,6 +235,9 @@ pub struct PlanarityReport {
     pub before: SurfaceSummary,
     /// As fabricated: the same as before where nothing was planarized.
     pub after: SurfaceSummary,
+    /// The folds of the quads, the larger over the two diagonals of each, degrees: the angle whose cosine is the
+    /// planarity. As designed and as fabricated, in the same bins.
+    pub folds_deg: Option<[Distribution; 2]>,
     /// How planarizing went; none where it was not asked for.
     pub planarize: Option<PlanarizeReport>,
     /// How far vertices moved.
@@ -273,6 +353,8 @@ pub struct MovedReport {
     pub mean_mm: Fixed,
     /// How many moved at all.
     pub count: usize,
+    /// The distances of those that moved, in bins from 0.
+    pub distances_mm: Option<Distribution>,
 }
 
 impl MovedReport {
@@ -285,9 +367,14 @@ impl MovedReport {
             max_mm: Fixed::mm(distances().fold(0.0, f64::max)),
             mean_mm: Fixed::mm(sum / before.vertices.len().max(1) as f64),
             count: distances().filter(|&distance| distance > 0.0).count(),
+            distances_mm: Distribution::over(
+                distances().filter(|&distance| distance > 0.0).collect(),
+                (0.0, distances().fold(0.0, f64::max)),
+                Fixed::mm,
+            ),
         }
     }
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

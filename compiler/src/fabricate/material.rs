@@ -38,15 +38,17 @@ pub struct LeastBendRadius {
 
 impl LeastBendRadius {
     /// The least radius, mm, for a bend axis at the angle `axis_to_grain` (rad, 0 ..= π/2) to the grain: with
-    /// φ = π/2 − `axis_to_grain`, the angle between the grain and the direction in which the sheet curves, the larger
-    /// of across·sin²φ and along·cos²φ (GEOMETRY section 7).
+    /// φ = π/2 − `axis_to_grain`, the angle between the grain and the direction in which the sheet curves,
+    /// across·sin²φ + along·cos²φ.
     ///
-    /// A model: a cylinder of radius R has the curvature cos²φ/R along the grain and sin²φ/R across it, and each must
-    /// stay within its own limit; the twist is left out.
+    /// A model, on the cautious side. A cylinder of radius R has the curvatures cos²φ/R along the grain and sin²φ/R
+    /// across it; where each alone may use up the whole of its limit (the larger of across·sin²φ and along·cos²φ,
+    /// GEOMETRY section 7) a sheet that is the same in all directions could be bent to half its radius at 45°. Here
+    /// the two share what the sheet takes, so that a radius is never below the smaller of the two limits.
     #[must_use]
     pub fn at(&self, axis_to_grain: f64) -> f64 {
         let (along, across) = (libm::sin(axis_to_grain), libm::cos(axis_to_grain));
-        (self.along * along * along).max(self.across * across * across)
+        self.along * along * along + self.across * across * across
     }
 
     /// The larger of the two, mm: for a board whose grain may lie in any direction.
@@ -68,18 +70,24 @@ mod tests {
     fn fibres_that_bend_need_the_larger_radius() {
         assert_eq!(PLYWOOD.at(0.0), 1829.0, "the axis runs with the grain");
         assert!((PLYWOOD.at(FRAC_PI_2) - 3658.0).abs() < 1e-9, "the axis runs square to it");
-        assert!((PLYWOOD.at(FRAC_PI_4) - 1829.0).abs() < 1e-9, "half of each, the larger");
+        assert!((PLYWOOD.at(FRAC_PI_4) - 2743.5).abs() < 1e-9, "half of each");
         assert_eq!(PLYWOOD.any_direction(), 3658.0);
     }
 
     #[test]
-    fn never_more_than_the_larger_and_even_in_between() {
+    fn between_the_two_and_never_below_what_each_direction_needs() {
+        let even = LeastBendRadius { across: 2750.0, along: 2750.0 };
+        let mut last = 0.0;
         for step in 0..=90 {
             let angle = f64::from(step).to_radians();
             let needed = PLYWOOD.at(angle);
-            assert!(needed <= PLYWOOD.any_direction() + 1e-9);
-            let along = 3658.0 * libm::sin(angle) * libm::sin(angle);
-            assert!(needed >= along - 1e-9 && needed > 1829.0 / 2.0);
+            assert!((1829.0 - 1e-9..=PLYWOOD.any_direction() + 1e-9).contains(&needed));
+            assert!(needed > last, "more, the farther the axis turns from the grain");
+            let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+            let (along, across) = (3658.0 * sine * sine, 1829.0 * cosine * cosine);
+            assert!(needed >= along.max(across) - 1e-9);
+            assert!((even.at(angle) - 2750.0).abs() < 1e-9, "the same in all directions");
+            last = needed;
         }
     }
 }

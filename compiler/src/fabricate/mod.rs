@@ -4,6 +4,7 @@
 //! No syntax, no plan: addresses and aliases come in as text, made elsewhere. No file format is written here (see
 //! `export`), and nothing here reads a program back (see `readback`).
 
+pub mod assembly;
 pub mod checks;
 pub mod cut_job;
 pub mod engrave;

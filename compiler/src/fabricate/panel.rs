@@ -1,19 +1,26 @@
-//! Flat boards from the quads of a mesh: what a [`Panel`] holds, the settings, and why one is refused. How it is made
-//! is in `make`, its solid in `thicken`. What a machine cuts (cut outlines, toolpaths) is not here.
+//! Flat boards from the quads of a mesh: what a [`Panel`] holds and the settings. How it is made is in `make`, its
+//! edges and outlines in `edges`, its solid in `flat` and `thicken`, corners of four and more boards in `relief`, and why one is
+//! refused in `refusal`; what boards have to do with each other is in `together`. Toolpaths are not here.
 
+mod edges;
+mod flat;
 mod make;
+mod refusal;
+mod relief;
 mod thicken;
-
-use std::fmt;
+mod together;
 
 use glam::{DVec2, DVec3};
 
 use super::label::Label;
 use super::material::Material;
 use super::solid::Solid;
-use crate::geometry::{Diagonal, UnrollError};
+use crate::geometry::Diagonal;
 
+pub use edges::{EdgeOffsets, Edges};
 pub use make::panels;
+pub use refusal::{PanelError, PanelRefusal};
+pub use relief::{Corner, RELIEF_TOLERANCE};
 
 /// Where the design surface lies in the thickness of a board. Outside is where the normals of the mesh point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +31,38 @@ pub enum Side {
     Centred,
     /// The surface is the outer face: the board lies inside it.
     Outer,
+}
+
+impl Side {
+    /// Where the inner and the outer face of a board of this thickness lie, mm along the normal from the surface.
+    #[must_use]
+    pub fn faces(self, thickness: f64) -> (f64, f64) {
+        match self {
+            Self::Inner => (0.0, thickness),
+            Self::Centred => (-thickness / 2.0, thickness / 2.0),
+            Self::Outer => (-thickness, 0.0),
+        }
+    }
+}
+
+/// A face of a board.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Face {
+    /// The outer one, where the normals of the mesh point.
+    Top,
+    /// The inner one.
+    Bottom,
+}
+
+impl Face {
+    /// As people name it: `outer` or `inner`.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Top => "outer",
+            Self::Bottom => "inner",
+        }
+    }
 }
 
 /// The direction of the grain in a board. The grain of a sheet runs along its length.
@@ -48,6 +87,8 @@ pub struct PanelSettings {
     pub side: Side,
     /// The direction of the grain.
     pub grain: Grain,
+    /// How the edges are cut.
+    pub edges: Edges,
 }
 
 /// A flat board for one quad. Sides are numbered 0 (AB), 1 (BC), 2 (CD), 3 (DA).
@@ -59,17 +100,38 @@ pub struct Panel {
     pub corners: [DVec3; 4],
     /// The diagonal it is split along: the one with the smaller fold.
     pub split: Diagonal,
-    /// The design outline: the unrolled quad A, B, C, D counter-clockwise seen from outside, mm. The lower left of
-    /// its box is the origin; along x runs the grain (side AB for [`Grain::U`], BC for [`Grain::V`]), or the longest
-    /// side for [`Grain::Free`].
+    /// The cut outline: what a machine cuts, each side of the design outline moved out by the larger of its two
+    /// offsets. A, B, C, D counter-clockwise seen from outside, mm. The lower left of its box is the origin; along x
+    /// runs the grain (side AB for [`Grain::U`], BC for [`Grain::V`]), or the longest side for [`Grain::Free`].
     pub outline: Vec<DVec2>,
-    /// Lengths of the four sides, mm.
+    /// The design outline: the unrolled quad, its sides as long as in space. In the frame of `outline`, mm.
+    pub design_outline: [DVec2; 4],
+    /// The outline of the outer face (of a stepped edge, of the outer half), in the frame of `outline`, mm.
+    pub top_outline: [DVec2; 4],
+    /// The outline of the inner face (of a stepped edge, of the inner half), in the frame of `outline`, mm.
+    pub bottom_outline: [DVec2; 4],
+    /// How the edges are cut.
+    pub edge_cut: Edges,
+    /// How far the two faces reach beside the design outline at each side.
+    pub offsets: [EdgeOffsets; 4],
+    /// Lengths of the four sides of the design outline, mm.
     pub edges: [f64; 4],
     /// The bevel (π − δ)/2 at each side, rad: positive on ridges, negative in valleys, none on the border
     /// (GEOMETRY section 8).
     pub bevels: [Option<f64>; 4],
     /// The address of the board across each side; none on the border.
     pub neighbours: [Option<String>; 4],
+    /// Which side (0 to 3) of that board it is; none on the border.
+    pub neighbour_sides: [Option<u8>; 4],
+    /// How much of each corner A, B, C, D has to be cut back along its edges, mm, once the edges are bevelled: where
+    /// four or more boards meet and this one reaches past its neighbours (see `relief`). 0 where nothing has to be.
+    pub relief: [f64; 4],
+    /// How far each corner stops short of its neighbours there, mm; 0 where it does not.
+    pub corner_gaps: [f64; 4],
+    /// The ring it is put up in, from 0: the boards at the supports (see `assembly`).
+    pub ring: u32,
+    /// Its place in the order of assembly, from 1.
+    pub order: u32,
     /// Length of the diagonal it is split along, mm.
     pub diagonal: f64,
     /// The angle between the two triangles, rad.
@@ -83,15 +145,19 @@ pub struct Panel {
     /// The angle between the axis of that bend and the grain, rad, 0 ..= π/2; none for a flat board and for
     /// [`Grain::Free`].
     pub bend_axis_to_grain: Option<f64>,
-    /// Area of the two triangles, mm².
+    /// Area of the design outline, mm².
     pub area: f64,
     /// mm.
     pub thickness: f64,
+    /// Of the board as it is cut, mm³.
+    pub volume: f64,
     /// kg; none where the material has no density.
     pub mass: Option<f64>,
+    /// Its centre of gravity in space, mm.
+    pub centre: DVec3,
     /// How far planarizing moved the corner it moved most, mm.
     pub moved: f64,
-    /// The board in space, with its thickness, its sides square to its faces.
+    /// The board in space, with its thickness and its edges as they are cut.
     pub solid: Solid,
 }
 
@@ -102,6 +168,22 @@ impl Panel {
         let (low, high) = super::fit::bounds(&self.outline);
         high - low
     }
+
+    /// The least distance of two parallel lines with the outline between them, mm.
+    #[must_use]
+    pub fn least_width(&self) -> f64 {
+        super::fit::least_width(&self.outline)
+    }
+
+    /// The interior angles of the outline at A, B, C, D, rad.
+    #[must_use]
+    pub fn angles(&self) -> [f64; 4] {
+        let corner = |index: usize| self.outline.get(index % 4).copied().unwrap_or_default();
+        [0, 1, 2, 3].map(|at| {
+            let (out, back) = (corner(at + 1) - corner(at), corner(at + 3) - corner(at));
+            libm::atan2(out.perp_dot(back), out.dot(back))
+        })
+    }
 }
 
 /// The boards of one figure and those that cannot be made. Both in the order of the quads.
@@ -111,6 +193,8 @@ pub struct Panels {
     pub panels: Vec<Panel>,
     /// The quads no board can be made for.
     pub refused: Vec<RefusedPanel>,
+    /// The corners where boards have to be cut back by more than [`RELIEF_TOLERANCE`].
+    pub corners: Vec<Corner>,
 }
 
 /// A quad no board can be made for.
@@ -121,83 +205,6 @@ pub struct RefusedPanel {
     /// Why.
     pub reason: PanelRefusal,
 }
-
-/// Why no board can be made for a quad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum PanelRefusal {
-    /// One of its corners is reflex.
-    Dart,
-    /// Three neighbouring corners lie on a line.
-    CollinearCorner,
-    /// Folded over a diagonal by a right angle or more, or crossing itself.
-    FoldedOver,
-    /// A side, a diagonal or the whole quad without length or area.
-    Degenerate,
-    /// It cannot be unrolled.
-    Unroll(UnrollError),
-    /// Larger than the sheet in every way the grain lets it lie. mm.
-    TooLarge {
-        /// The box around its outline as it is placed.
-        size: DVec2,
-        /// Length and width of the sheet.
-        board: (f64, f64),
-    },
-}
-
-impl fmt::Display for PanelRefusal {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Dart => out.write_str("one of its corners is reflex"),
-            Self::CollinearCorner => out.write_str("three of its corners lie on a line"),
-            Self::FoldedOver => out.write_str("it is folded over a diagonal"),
-            Self::Degenerate => out.write_str("it has no area, or a side without length"),
-            Self::Unroll(reason) => reason.fmt(out),
-            Self::TooLarge { size, board: (length, width) } => write!(
-                out,
-                "it measures {:.1}mm by {:.1}mm and does not fit a board of {length}mm by {width}mm",
-                size.x, size.y
-            ),
-        }
-    }
-}
-
-/// Why no boards at all can be made of a figure.
-#[derive(Debug, Clone, PartialEq)]
-pub enum PanelError {
-    /// The material has no thickness, or one that is not above 0.
-    NoThickness,
-    /// The sheet has a side that is not above 0, mm.
-    NoBoard {
-        /// Length and width as given.
-        board: (f64, f64),
-    },
-    /// The designed and the planarized mesh are not the same quads on the same vertices.
-    DifferentMeshes,
-    /// Not one label for each quad.
-    WrongLabelCount {
-        /// How many quads there are.
-        quads: usize,
-        /// How many labels.
-        labels: usize,
-    },
-}
-
-impl fmt::Display for PanelError {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoThickness => out.write_str("boards need a material with a thickness above 0mm"),
-            Self::NoBoard { board: (length, width) } => {
-                write!(out, "a board of {length}mm by {width}mm has no area")
-            }
-            Self::DifferentMeshes => {
-                out.write_str("the designed and the planarized surface have different quads")
-            }
-            Self::WrongLabelCount { quads, labels } => write!(out, "{labels} labels for {quads} quads"),
-        }
-    }
-}
-
-impl std::error::Error for PanelError {}
 
 #[cfg(test)]
 mod tests;

@@ -1,9 +1,9 @@
-//! Planks from the segments of a plane curve: what a [`Plank`] holds, the settings, and why one is refused. How it is
-//! made is in `make`.
+//! Planks from the segments of a plane curve: what a [`Plank`] holds and the settings. How it is made is in `make`, its
+//! end cuts are in `end`, and why one is refused is in `refusal`.
 
+mod end;
 mod make;
-
-use std::fmt;
+mod refusal;
 
 use glam::{DVec2, DVec3};
 
@@ -11,12 +11,18 @@ use super::label::Label;
 use super::material::Material;
 use super::solid::Solid;
 
+pub use end::CutPlane;
 pub use make::{closed_planks, planks};
+pub use refusal::{PlankError, PlankRefusal};
 
 /// How far (mm) a point of a curve may lie off its plane for the curve to count as plane.
 pub const PLANE_TOLERANCE: f64 = 1e-3;
 
-/// How planks end where they meet the next one. The two outer ends of a curve are always square.
+/// The most an end cut may be away from a square one, rad: 80 degrees. Beyond, a plank of depth 120 mm runs out into a
+/// point of more than 680 mm.
+pub const MOST_END_ANGLE: f64 = 80.0 * std::f64::consts::PI / 180.0;
+
+/// How planks end where they meet the next one. The two outer ends of a curve are square, or cut to a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ends {
     /// Square to the plank, through the joint on the axis: where the curve turns, the inner faces would overlap and
@@ -42,6 +48,11 @@ pub struct PlankSettings {
     pub gap: f64,
     /// Length of the bars planks are cut from, mm.
     pub stock: f64,
+    /// Where the first plank of an open curve begins; none for a square end at its first point. The plank is made
+    /// longer or shorter to reach it.
+    pub first: Option<CutPlane>,
+    /// Where the last one ends.
+    pub last: Option<CutPlane>,
 }
 
 /// A plank along one segment of a curve. Seen against `plane_normal`, left is the plank's +y.
@@ -55,14 +66,17 @@ pub struct Plank {
     pub plane_normal: DVec3,
     /// Length between the end cuts on the axis, mm.
     pub length: f64,
-    /// Length of the shorter of the two faces square to the plane of the curve, mm.
+    /// Length of the shorter of the two faces square to the plane of the curve, along its middle, mm.
     pub inner_length: f64,
     /// Length of the longer of the two, mm.
     pub outer_length: f64,
     /// At the start and the end, the angle from a square cut to the end cut, rad: half the turning angle of a mitred
     /// joint, positive counter-clockwise seen against `plane_normal`. The two at a joint are equal and opposite.
     pub mitres: [f64; 2],
-    /// The outline in the plane of the curve: start right, end right, end left, start left, counter-clockwise. The
+    /// At the start and the end, how much the end cut leans out of square to the plane of the curve, rad: the tilt of
+    /// the blade. Positive where the cut's normal, taken along the axis, leans towards `plane_normal`. 0 at joints.
+    pub bevels: [f64; 2],
+    /// The outline in the plane of the curve, around all of the plank: start right, end right, end left, start left, counter-clockwise. The
     /// axis runs along x, the depth along y; the lower left of its box is the origin. mm.
     pub outline: Vec<DVec2>,
     /// Size of the section in the plane of the curve, mm.
@@ -73,6 +87,12 @@ pub struct Plank {
     pub mass: Option<f64>,
     /// The addresses of the planks before and after.
     pub neighbours: [Option<String>; 2],
+    /// The ring it is put up in, from 0: the planks at the supports (see `assembly`).
+    pub ring: u32,
+    /// Its place in the order of assembly, from 1.
+    pub order: u32,
+    /// Its centre of gravity in space, mm.
+    pub centre: DVec3,
     /// The plank in space.
     pub solid: Solid,
 }
@@ -94,91 +114,6 @@ pub struct RefusedPlank {
     /// Why.
     pub reason: PlankRefusal,
 }
-
-/// Why no plank can be made for a segment.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum PlankRefusal {
-    /// The segment has no length.
-    NoLength,
-    /// Its two end cuts meet within the depth: one of its faces would have no length. mm.
-    CutsCross {
-        /// The length that face would have, 0 or less.
-        inner_length: f64,
-    },
-    /// It is longer than a bar. mm.
-    TooLong {
-        /// The length of bar it takes.
-        needed: f64,
-        /// The length of a bar.
-        stock: f64,
-    },
-}
-
-impl fmt::Display for PlankRefusal {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoLength => out.write_str("its segment of the curve has no length"),
-            Self::CutsCross { inner_length } => {
-                write!(out, "its end cuts cross: the inner face would be {inner_length:.1}mm long")
-            }
-            Self::TooLong { needed, stock } => {
-                write!(out, "it takes {needed:.1}mm of a bar of {stock}mm")
-            }
-        }
-    }
-}
-
-/// Why no planks at all can be made of a curve.
-#[derive(Debug, Clone, PartialEq)]
-pub enum PlankError {
-    /// Fewer than two points.
-    TooFewPoints,
-    /// A coordinate is not finite.
-    NotFinite {
-        /// The index of the point.
-        point: usize,
-    },
-    /// The curve does not lie in a plane.
-    NotPlanar {
-        /// How far a point lies off it, mm.
-        deviation: f64,
-    },
-    /// A size of the section or the stock is not above 0, or the gap is below 0.
-    NoSection {
-        /// Which one.
-        what: &'static str,
-        /// As given, mm.
-        value: f64,
-    },
-    /// Not one label for each segment.
-    WrongLabelCount {
-        /// How many segments there are.
-        segments: usize,
-        /// How many labels.
-        labels: usize,
-    },
-}
-
-impl fmt::Display for PlankError {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFewPoints => out.write_str("a curve needs two points to have planks"),
-            Self::NotFinite { point } => write!(out, "point {point} has a coordinate that is not finite"),
-            Self::NotPlanar { deviation } => {
-                write!(out, "planks need a curve in one plane; a point lies {deviation:.3}mm off it")
-            }
-            Self::NoSection { what, value } => {
-                let least = if what.starts_with("gap") { "is 0mm or more" } else { "is above 0mm" };
-                write!(out, "the {what} {least}, but here it is {value}mm")
-            }
-            Self::WrongLabelCount { segments, labels } => {
-                write!(out, "{labels} labels for {segments} segments")
-            }
-        }
-    }
-}
-
-impl std::error::Error for PlankError {}
 
 #[cfg(test)]
 mod tests;

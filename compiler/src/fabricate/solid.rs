@@ -40,6 +40,41 @@ impl Solid {
         self.triangles.iter().map(|&[a, b, c]| corner(a).dot(corner(b).cross(corner(c)))).sum::<f64>() / 6.0
     }
 
+    /// The centre of gravity, mm; the first vertex where there is no volume (divergence theorem).
+    #[must_use]
+    pub fn centre(&self) -> DVec3 {
+        let Some(&origin) = self.vertices.first() else { return DVec3::ZERO };
+        let corner = |index: u32| self.vertices[index as usize] - origin;
+        let (mut moment, mut volume) = (DVec3::ZERO, 0.0);
+        for &[a, b, c] in &self.triangles {
+            let [a, b, c] = [corner(a), corner(b), corner(c)];
+            let share = a.dot(b.cross(c));
+            moment += (a + b + c) * share / 4.0;
+            volume += share;
+        }
+        if volume == 0.0 { origin } else { origin + moment / volume }
+    }
+
+    /// Takes out the vertices that no triangle has.
+    pub(super) fn drop_unused(&mut self) {
+        let mut used = vec![false; self.vertices.len()];
+        self.triangles.iter().flatten().for_each(|corner| used[*corner as usize] = true);
+        let mut kept = 0;
+        let places: Vec<u32> = used
+            .iter()
+            .map(|used| {
+                kept += u32::from(*used);
+                kept.wrapping_sub(1)
+            })
+            .collect();
+        let mut place = 0;
+        self.vertices.retain(|_| {
+            place += 1;
+            used[place - 1]
+        });
+        self.triangles.iter_mut().flatten().for_each(|corner| *corner = places[*corner as usize]);
+    }
+
     /// Whether every directed edge of a triangle has its opposite exactly once.
     #[must_use]
     pub fn is_watertight(&self) -> bool {
@@ -66,6 +101,7 @@ mod tests {
                 Solid::between(bottom, bottom.map(|corner| corner + DVec3::Z * 2.0), split.triangles());
             assert!(cube.is_watertight());
             assert_eq!(cube.volume(), 8.0);
+            assert!(cube.centre().distance(bottom[0].midpoint(bottom[2]) + DVec3::Z) < 1e-12);
         }
     }
 

@@ -128,6 +128,14 @@ impl QuadMeasure {
         }
     }
 
+    /// The larger of the folds over the two diagonals, rad: the angle whose cosine is the planarity, exact for small
+    /// angles. None where there is no planarity.
+    #[must_use]
+    pub fn larger_fold(&self) -> Option<f64> {
+        let (ac, bd) = self.fold_ac.zip(self.fold_bd).filter(|_| self.planarity.is_some())?;
+        Some(ac.max(bd))
+    }
+
     /// The fold over the diagonal to split along, rad; none for a quad without two triangles of some area.
     #[must_use]
     pub fn fold(&self) -> Option<f64> {

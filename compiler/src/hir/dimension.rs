@@ -24,13 +24,13 @@ const fn dimension(length: i8, mass: i8, time: i8, angle: i8) -> Dimension {
 const NAMED: &[(&str, Dimension)] = &[
     ("Number", Dimension::NUMBER),
     ("Length", Dimension::LENGTH),
-    ("Area", dimension(2, 0, 0, 0)),
+    ("Area", Dimension::AREA),
     ("Volume", dimension(3, 0, 0, 0)),
     ("Angle", Dimension::ANGLE),
     ("Time", dimension(0, 0, 1, 0)),
     ("Speed", Dimension::SPEED),
     ("Frequency", Dimension::FREQUENCY),
-    ("Mass", dimension(0, 1, 0, 0)),
+    ("Mass", Dimension::MASS),
     ("Density", dimension(-3, 1, 0, 0)),
 ];
 
@@ -41,6 +41,10 @@ impl Dimension {
     pub const LENGTH: Dimension = dimension(1, 0, 0, 0);
     /// An angle.
     pub const ANGLE: Dimension = dimension(0, 0, 0, 1);
+    /// An area.
+    pub const AREA: Dimension = dimension(2, 0, 0, 0);
+    /// A mass.
+    pub const MASS: Dimension = dimension(0, 1, 0, 0);
     /// Length by time: a feed.
     pub const SPEED: Dimension = dimension(1, 0, -1, 0);
     /// Turns by time: a spindle's speed.

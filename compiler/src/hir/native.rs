@@ -1,8 +1,10 @@
 //! The functions that the program itself gives the language: the one table of them. Their evaluation is in
 //! `evaluate/native.rs`, their result types in `check/native.rs`.
 
+mod figures;
 mod values;
 
+pub use figures::FIGURES;
 pub use values::VALUES;
 
 use super::schema::ChoiceKind;
@@ -62,6 +64,7 @@ pub enum Native {
     Quad,
     Strut,
     Mesh,
+    Import,
     Chain,
     Weighted,
     Translation,
@@ -69,6 +72,8 @@ pub enum Native {
     ProjectiveSum,
     Revolution,
     Extrusion,
+    Plane,
+    Cut,
 }
 
 /// What a parameter takes.
@@ -120,12 +125,18 @@ pub enum Takes {
     Curve,
     /// A vector of space.
     SpaceVector,
+    /// A point of space.
+    SpacePoint,
+    /// A plane.
+    Plane,
     /// A whole number.
     Whole,
     /// A list of plain numbers.
     Numbers,
     /// A list of lists of whole numbers.
     Faces,
+    /// The path of a file, written out.
+    Path,
 }
 
 impl Takes {
@@ -146,10 +157,13 @@ impl Takes {
             Takes::Net => Some(list(list(Type::Weighted(PointSpace::Space)))),
             Takes::Truth => Some(Type::Bool),
             Takes::Curve => Some(Type::Curve),
+            Takes::SpacePoint => Some(Type::Point(PointSpace::Space)),
+            Takes::Plane => Some(Type::Plane),
             Takes::SpaceVector => Some(Type::Vector(PointSpace::Space)),
             Takes::Whole => Some(Type::Int),
             Takes::Numbers => Some(list(Type::NUMBER)),
             Takes::Faces => Some(list(list(Type::Int))),
+            Takes::Path => Some(Type::Text),
             Takes::Closed => Some(Type::Choice(ChoiceKind::Closed)),
             Takes::Quantity
             | Takes::QuantityOrList
@@ -208,7 +222,7 @@ const fn native(
 
 /// Every native.
 pub fn natives() -> impl Iterator<Item = &'static NativeDeclaration> {
-    NATIVES.iter().chain(VALUES)
+    NATIVES.iter().chain(FIGURES).chain(VALUES)
 }
 
 /// The natives that make ifs, germs and figures, and the first ones of all.
@@ -296,185 +310,7 @@ const NATIVES: &[NativeDeclaration] = &[
         &[needs("x", Takes::Quantity), needs("table", Takes::Points)],
         "the second coordinate at x, straight between the points of the table; an error beyond its ends",
     ),
-    native(
-        Native::Segment,
-        "prelude",
-        "segment",
-        &[needs("start", Takes::Point), needs("end", Takes::Point)],
-        "the germ that draws the straight line between two points",
-    ),
-    native(
-        Native::Tensor,
-        "surfaces",
-        "tensor",
-        &[needs("u", Takes::Ifs), needs("v", Takes::Ifs)],
-        "the tensor product of two curves' ifs: a surface on a grid of control points, rows along u",
-    ),
-    native(
-        Native::Sheet,
-        "surfaces",
-        "sheet",
-        &[
-            needs("u", Takes::Ifs),
-            needs("v", Takes::Ifs),
-            needs("net", Takes::Net),
-            may("closed", Takes::Closed),
-        ],
-        "the tensor product on every window of a larger net, joined; `closed: u`, `v` or `uv` closes the net round",
-    ),
-    native(
-        Native::Chain,
-        "curves",
-        "chain",
-        &[needs("ifs", Takes::Ifs), needs("points", Takes::ControlPoints), may("closed", Takes::Truth)],
-        "a curve on every window of consecutive points of a list, joined; `closed: true` goes round",
-    ),
-    native(
-        Native::Weighted,
-        "prelude",
-        "weighted",
-        &[needs("point", Takes::Point), needs("w", Takes::Number)],
-        "a control point with a weight above 0: the curve or surface is rational",
-    ),
-    native(
-        Native::Translation,
-        "surfaces",
-        "translation",
-        &[needs("rail", Takes::Curve), needs("profile", Takes::Curve)],
-        "the profile moved along the rail, rail(i) + (profile(j) - profile(0)): quads planar by construction",
-    ),
-    native(
-        Native::ScaleTranslation,
-        "surfaces",
-        "scale_translation",
-        &[needs("rail", Takes::Curve), needs("profile", Takes::Curve), needs("scale", Takes::Numbers)],
-        "the profile moved along the rail and scaled, by one number for each control point of the rail",
-    ),
-    native(
-        Native::ProjectiveSum,
-        "surfaces",
-        "projective_sum",
-        &[needs("rail", Takes::Curve), needs("profile", Takes::Curve)],
-        "the weighted mean of a point of each curve: quads planar by construction (Stotz 2009)",
-    ),
-    native(
-        Native::Revolution,
-        "surfaces",
-        "revolution",
-        &[
-            needs("profile", Takes::Curve),
-            needs("point", Takes::Point),
-            needs("direction", Takes::SpaceVector),
-            needs("segments", Takes::Whole),
-            may("angle", Takes::Angle),
-        ],
-        "the profile turned round the axis through a point, in so many segments of 360deg or of `angle`",
-    ),
-    native(
-        Native::Extrusion,
-        "surfaces",
-        "extrusion",
-        &[needs("profile", Takes::Curve), needs("vector", Takes::SpaceVector), may("pieces", Takes::Whole)],
-        "the profile moved along a vector, in so many equal pieces",
-    ),
-    native(
-        Native::Translate,
-        "prelude",
-        "translate",
-        &[needs("dx", Takes::LengthOrVector), may("dy", Takes::Length), may("dz", Takes::Length)],
-        "the map that moves by two lengths in the plane, by three in space, or by a vector",
-    ),
-    native(
-        Native::Rotate,
-        "prelude",
-        "rotate",
-        &[needs("angle", Takes::Angle), may("about", Takes::Point)],
-        "the map that turns the plane anticlockwise about the origin, or about a point",
-    ),
-    native(
-        Native::Turn,
-        "prelude",
-        "turn",
-        &[needs("axis", Takes::Vector), needs("angle", Takes::Angle), may("about", Takes::Point)],
-        "the map that turns space about an axis (x, y, z or any vector) through the origin or a point, \
-         anticlockwise for an eye that the axis points to",
-    ),
-    native(
-        Native::Scale,
-        "prelude",
-        "scale",
-        &[
-            needs("kx", Takes::Number),
-            may("ky", Takes::Number),
-            may("kz", Takes::Number),
-            may("about", Takes::Point),
-        ],
-        "the map that scales by one factor, or by a factor for each axis, about the origin or a point",
-    ),
-    native(
-        Native::Mirror,
-        "prelude",
-        "mirror",
-        &[needs("along", Takes::Vector), may("about", Takes::Point)],
-        "the map that mirrors along a direction: `mirror(x)` turns right into left; what lies square to the \
-         direction through the origin, or through a point, stays",
-    ),
-    native(
-        Native::Affine,
-        "prelude",
-        "affine",
-        &[
-            needs("a", Takes::Number),
-            needs("b", Takes::Number),
-            needs("c", Takes::Number),
-            needs("d", Takes::Number),
-            may("e", Takes::Number),
-            may("f", Takes::Number),
-            may("g", Takes::Number),
-            may("h", Takes::Number),
-            may("i", Takes::Number),
-        ],
-        "the linear map with this matrix, row by row: four numbers in the plane (x' = a x + b y, \
-         y' = c x + d y), nine in space",
-    ),
-    native(Native::Point, "prelude", "point", &[needs("p", Takes::Point)], "the germ that draws one point"),
-    native(
-        Native::Polygon,
-        "prelude",
-        "polygon",
-        &[needs("points", Takes::Vertices)],
-        "the germ that draws a face with these corners: three points or more, or a list of them",
-    ),
-    native(
-        Native::Quad,
-        "prelude",
-        "quad",
-        &[
-            needs("p", Takes::Point),
-            needs("q", Takes::Point),
-            needs("r", Takes::Point),
-            needs("s", Takes::Point),
-        ],
-        "the germ that draws a face with four corners, one after the other around it",
-    ),
-    native(
-        Native::Strut,
-        "prelude",
-        "strut",
-        &[needs("start", Takes::Point), needs("end", Takes::Point), needs("width", Takes::Length)],
-        "the germ that draws a bar with a square section between two points",
-    ),
-    native(
-        Native::Mesh,
-        "prelude",
-        "mesh",
-        &[needs("points", Takes::Points), needs("faces", Takes::Faces)],
-        "the germ that draws faces over points: each face lists its corners by their places, from 0",
-    ),
 ];
-
-/// Names that the language has but the program not yet, with the module they belong to.
-pub const LATER: &[(&str, &str)] = &[("prelude", "import"), ("prelude", "plane"), ("prelude", "cut")];
 
 impl Native {
     /// Its declaration.

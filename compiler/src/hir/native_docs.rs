@@ -54,4 +54,9 @@ const DOCS: &[(Native, &str, &str)] = &[
         "germ",
         "ifs tent in space {\n    transform half = scale(1/2) * self\n    germ mesh(\n        [(0m, 0m, 0m), (2m, 0m, 0m), (0m, 2m, 0m), (0m, 0m, 2m)],\n        [[0, 1, 3], [1, 2, 3], [2, 0, 3]],\n    )\n}",
     ),
+    (
+        Native::Import,
+        "germ",
+        "ifs column in space {\n    transform up = translate(0m, 0m, 2m) * scale(1/2) * self\n    keep strut((0m, 0m, 0m), (0m, 0m, 2m), width: 160mm)\n    germ import(\"joint.glb\")\n}\nfigure pole = column at level 3",
+    ),
 ];

@@ -2,6 +2,10 @@
 //!
 //! The meaning of each setting is in `fabricate`; here are names, types and which of them must be given.
 
+mod measure;
+
+pub use measure::Measure;
+
 use super::dimension::Dimension;
 use super::types::Type;
 
@@ -46,7 +50,7 @@ impl ChoiceKind {
     pub fn words(self) -> &'static [Word] {
         const SIDE: &[Word] = &[now("inner"), now("centred"), now("outer")];
         const GRAIN: &[Word] = &[now("u"), now("v"), now("free")];
-        const EDGES: &[Word] = &[now("square"), later("bevelled"), later("stepped")];
+        const EDGES: &[Word] = &[now("square"), now("bevelled"), now("stepped")];
         const ENDS: &[Word] = &[now("square"), now("mitred")];
         const PIN: &[Word] = &[now("boundary"), now("none"), now("corners")];
         const CLOSED: &[Word] = &[now("u"), now("v"), now("uv")];
@@ -164,6 +168,13 @@ fn planks() -> Vec<Setting> {
         setting("section", Type::Size, true, "depth, in the plane of the curve, by width"),
         setting("stock", Type::LENGTH, false, "the length of a raw bar"),
         setting("ends", Type::Choice(ChoiceKind::Ends), false, "how the ends at joints are cut"),
+        setting(
+            "first",
+            Type::Cut,
+            false,
+            "where the first plank of a curve begins: square, or cut to a plane",
+        ),
+        setting("last", Type::Cut, false, "where the last plank of a curve ends: square, or cut to a plane"),
         setting("gap", Type::LENGTH, false, "how much each side of a joint is shortened"),
     ];
     settings.extend(shop());
@@ -197,75 +208,4 @@ fn planarize() -> Vec<Setting> {
         setting("iterations", Type::Int, false, "how many iterations at most"),
         setting("pin", Type::Choice(ChoiceKind::Pin), false, "which vertices stay in place"),
     ]
-}
-
-/// A measure that `require` can ask for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Measure {
-    /// The cosine of a quad's fold; 1 is flat.
-    Planarity,
-    /// The length of a quad's edges.
-    Edge,
-    /// The length of a plank on its axis.
-    Length,
-    /// The mitre at a plank's end.
-    Mitre,
-    /// The distance of the joints of neighbouring curves.
-    Overlap,
-    /// The radius to which a board is bent.
-    BendRadius,
-}
-
-impl Measure {
-    /// All of them.
-    pub const ALL: [Measure; 6] = [
-        Measure::Planarity,
-        Measure::Edge,
-        Measure::Length,
-        Measure::Mitre,
-        Measure::Overlap,
-        Measure::BendRadius,
-    ];
-
-    /// The measure of these words, where the program has it.
-    pub fn named(words: &str) -> Option<Measure> {
-        match words {
-            "planarity" => Some(Measure::Planarity),
-            "edge" => Some(Measure::Edge),
-            "length" => Some(Measure::Length),
-            "mitre" => Some(Measure::Mitre),
-            "overlap" => Some(Measure::Overlap),
-            "bend radius" => Some(Measure::BendRadius),
-            _ => None,
-        }
-    }
-
-    /// The words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Measure::Planarity => "planarity",
-            Measure::Edge => "edge",
-            Measure::Length => "length",
-            Measure::Mitre => "mitre",
-            Measure::Overlap => "overlap",
-            Measure::BendRadius => "bend radius",
-        }
-    }
-
-    /// The dimension of its limit.
-    pub fn dimension(self) -> Dimension {
-        match self {
-            Measure::Planarity => Dimension::NUMBER,
-            Measure::Mitre => Dimension::ANGLE,
-            Measure::Edge | Measure::Length | Measure::Overlap | Measure::BendRadius => Dimension::LENGTH,
-        }
-    }
-
-    /// Which blocks may ask for it.
-    pub fn applies_to(self, block: SchemaKind) -> bool {
-        match self {
-            Measure::Planarity | Measure::Edge | Measure::BendRadius => block == SchemaKind::Panels,
-            Measure::Length | Measure::Mitre | Measure::Overlap => block == SchemaKind::Planks,
-        }
-    }
 }

@@ -5,9 +5,10 @@ use super::scalar::Scalar;
 use super::schema::{ChoiceKind, Measure, SchemaKind};
 use super::size::UntilExpr;
 use super::types::{PointSpace, Type};
-use super::value::OwnGerm;
+use super::value::{Germ, OwnGerm};
 use crate::source::{FileId, Span};
 use crate::syntax::ast::Comparison;
+use std::sync::Arc;
 
 /// The identity of an item across all modules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -345,6 +346,8 @@ pub enum ExprKind {
     Bool(bool),
     /// A text.
     Text(String),
+    /// A mesh that was read.
+    Imported(Arc<Germ>),
     /// A slot of the frame.
     Local(LocalId),
     /// The value of a param, let or figure.

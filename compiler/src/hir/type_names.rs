@@ -12,6 +12,8 @@ pub const PLAIN: &[(&str, Type)] = &[
     ("Point", Type::Point(PointSpace::Any)),
     ("Vector", Type::Vector(PointSpace::Any)),
     ("Map", Type::Map(PointSpace::Any)),
+    ("Plane", Type::Plane),
+    ("Cut", Type::Cut),
     ("Ifs", Type::Ifs),
     ("Germ", Type::Germ),
     ("Curve", Type::Curve),
@@ -40,7 +42,15 @@ pub fn type_name(items: &[Item], ty: &Type) -> String {
         Type::Settings(kind) => format!("settings of {}", kind.name()),
         Type::Material => "material".to_owned(),
         Type::Error => "unknown".to_owned(),
-        Type::Int | Type::Bool | Type::Text | Type::Ifs | Type::Curve | Type::Surface | Type::Figure => {
+        Type::Int
+        | Type::Bool
+        | Type::Text
+        | Type::Ifs
+        | Type::Curve
+        | Type::Surface
+        | Type::Figure
+        | Type::Plane
+        | Type::Cut => {
             let plain = PLAIN.iter().find(|(_, plain)| plain == ty);
             plain.map_or("", |(name, _)| *name).to_owned()
         }

@@ -60,6 +60,10 @@ pub enum Type {
     Choice(ChoiceKind),
     /// `{ name: value }` with fields the program knows.
     Settings(SchemaKind),
+    /// A plane of space.
+    Plane,
+    /// How an end of a curve of planks is cut.
+    Cut,
     /// Any record that says what a board is made of.
     Material,
     /// Not understood; a diagnostic has been given. Serves everywhere.

@@ -30,6 +30,10 @@ pub enum Value {
     Size(Scalar, Scalar),
     /// An affine map.
     Map(Arc<Map>),
+    /// A plane of space.
+    Plane(Arc<Plane>),
+    /// A cut along a plane.
+    Cut(Arc<Plane>),
     /// An ifs, not placed yet.
     Ifs(Arc<IfsValue>),
     /// What an ifs draws.
@@ -44,6 +48,15 @@ pub enum Value {
     Settings(Arc<Vec<(&'static str, Value, Span)>>),
     /// A word of a choice, by its place.
     Choice(ChoiceKind, usize),
+}
+
+/// A plane of space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// A point of it, mm.
+    pub point: [f64; 3],
+    /// Square to it, longer than 0.
+    pub normal: [f64; 3],
 }
 
 /// A weighted sum of points, in coordinates or in weights of control points.

@@ -1,5 +1,6 @@
 //! What a build writes: from one analysis to named outputs. The folder they go to, and when, is the caller's business.
 
+mod html;
 mod model;
 pub mod names;
 mod parts;
@@ -26,15 +27,17 @@ pub struct Selection {
     pub csv: bool,
     /// `report.json`
     pub json: bool,
+    /// `report.html`
+    pub html: bool,
 }
 
 impl Selection {
     /// Everything.
-    pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, json: true };
+    pub const ALL: Selection = Selection { glb: true, nc: true, csv: true, json: true, html: true };
 
     /// Whether nothing is wanted.
     pub fn is_empty(self) -> bool {
-        !(self.glb || self.nc || self.csv || self.json)
+        !(self.glb || self.nc || self.csv || self.json || self.html)
     }
 }
 
@@ -120,10 +123,16 @@ pub fn outputs(analysis: &Analysis, selection: Selection) -> Outputs {
             files.push(Output::new("planarity.csv", "list", planarity_csv(&surfaces)));
         }
     }
-    if selection.json
-        && let Ok(text) = report::report(analysis, parts).to_json()
-    {
-        files.push(Output::new("report.json", "report", text));
+    if selection.json || selection.html {
+        let report = report::report(analysis, parts);
+        if selection.html {
+            files.push(Output::new("report.html", "report", html::html(analysis, &report)));
+        }
+        if selection.json
+            && let Ok(text) = report.to_json()
+        {
+            files.push(Output::new("report.json", "report", text));
+        }
     }
     Outputs { files, diagnostics: Vec::new() }
 }
@@ -143,20 +152,20 @@ fn surfaces(analysis: &Analysis) -> Vec<Surface<'_>> {
         .collect()
 }
 
-/// What a build is made of, as 16 hexadecimal digits: the design's text, those of the files it uses with their paths in
-/// the project, and its parameters. Two builds with the same one by the same version of the program are the same.
+/// What a build is made of, as 16 hexadecimal digits: the design's text, those of the files it uses and the meshes it
+/// imports with their paths in the project, and its parameters. Two builds with the same one by the same version of the program are the same.
 pub fn design_hash(analysis: &Analysis) -> String {
     let mut hasher = Sha256::new();
     let mut sources = project_sources(analysis);
     if !sources.is_empty() {
-        hasher.update(sources.remove(0).1.as_bytes());
+        hasher.update(sources.remove(0).1);
     }
     sources.sort_unstable();
-    for (path, text) in sources {
+    for (path, bytes) in sources {
         hasher.update([1]);
         hasher.update(path.as_bytes());
         hasher.update([0]);
-        hasher.update(text.as_bytes());
+        hasher.update(bytes);
     }
     for (name, value) in parameter_texts(analysis) {
         hasher.update([0]);
@@ -167,16 +176,19 @@ pub fn design_hash(analysis: &Analysis) -> String {
     names::hex(&hasher.finalize())[..16].to_owned()
 }
 
-/// The files a build is made of, the design's own first: their paths from the root of the project, and their texts.
-pub fn project_sources(analysis: &Analysis) -> Vec<(String, &str)> {
+/// The files a build is made of, the design's own first, meshes last: their paths from the root of the project, and their
+/// bytes.
+pub fn project_sources(analysis: &Analysis) -> Vec<(String, &[u8])> {
     let files = analysis.files.iter().enumerate();
+    let meshes = analysis.meshes.iter().map(|mesh| (mesh.path.clone(), mesh.bytes.as_slice()));
     files
         .filter_map(|(place, file)| {
-            let text = analysis.sources.get(file.file)?.text.as_str();
+            let text = analysis.sources.get(file.file)?.text.as_bytes();
             let stdin = place == 0 && file.path.rsplit('/').next() == Some("-");
             let path = if stdin { format!("{}.ifs", analysis.design_name()) } else { file.path.clone() };
             Some((path, text))
         })
+        .chain(meshes)
         .collect()
 }
 

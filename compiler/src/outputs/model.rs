@@ -112,7 +112,7 @@ fn figure(analysis: &Analysis, item: ItemId) -> OwnedFigure {
 fn built(made: &Fabrication, place: usize) -> Option<(QuadMesh, (QuadMesh, f64))> {
     let Elements::Panels(panels) = &made.elements else { return None };
     let figure = panels.figures.iter().find(|figure| figure.figure == place)?;
-    Some((figure.designed.clone(), (figure.built.clone(), required(made, panels))))
+    Some((figure.designed.clone(), (figure.built.clone(), built_planarity(made, panels))))
 }
 
 /// The curve of a block at a place of the plan, at the block's scale.
@@ -122,8 +122,16 @@ fn made_curve(made: &Fabrication, place: usize) -> Option<&[DVec3]> {
     Some(&figure.points)
 }
 
+/// The places in the plan of figures nothing is made of.
+pub(super) fn plain_figures(analysis: &Analysis) -> impl Iterator<Item = usize> + '_ {
+    let sources = analysis.plan.iter().flat_map(|lowered| lowered.sources.iter().enumerate());
+    let made =
+        |item: ItemId| analysis.fabrications.iter().any(|made| made.figure == analysis.hir.item(item).name);
+    sources.filter(move |(_, source)| !made(source.item)).map(|(place, _)| place)
+}
+
 /// The planarity in the middle of the colour scale: what the block requires, else what planarizing aims at.
-fn required(made: &Fabrication, panels: &PanelsMade) -> f64 {
+pub(super) fn built_planarity(made: &Fabrication, panels: &PanelsMade) -> f64 {
     let mut limits = made.requirements.iter().filter(|requirement| requirement.measure == Measure::Planarity);
     let least = limits.find_map(|requirement| match requirement.limit {
         LimitValue::Plain(Limit::AtLeast(least) | Limit::Within(least, _) | Limit::Above(least)) => {

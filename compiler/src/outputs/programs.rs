@@ -8,7 +8,7 @@ use crate::export::nc;
 use crate::export::number::fixed;
 use crate::fabricate::cut_job::{CutJob, Engraving};
 use crate::fabricate::machine::{CutDirection, Dialect, Machine, MachineSpec, Tool, WorkOffset, ZZero};
-use crate::fabricate::panel::Panel;
+use crate::fabricate::panel::{Edges, Panel};
 use crate::fabricate::plank::Plank;
 use crate::fabricate::toolpath::program;
 use crate::hir::tree::Hir;
@@ -135,7 +135,7 @@ fn panel_job(panel: &Panel, design: &str, hash: &str, (height, least): (f64, f64
             None => "border".to_owned(),
         };
         let neighbour = towards(panel.neighbours[edge].as_ref());
-        format!("edge {edge}: {bevel}{neighbour}")
+        format!("edge {edge}: {bevel}{}{neighbour}", faces_beside(panel, edge))
     });
     let engraving = Engraving { height, least_height: least, clearance, mark_edge_0: true };
     CutJob {
@@ -148,6 +148,19 @@ fn panel_job(panel: &Panel, design: &str, hash: &str, (height, least): (f64, f64
         engraving,
         face_up: "outer".to_owned(),
         notes: notes.collect(),
+    }
+}
+
+/// How far the two faces, or the two halves of a stepped edge, lie inside the outline that is cut.
+fn faces_beside(panel: &Panel, edge: usize) -> String {
+    let offset = panel.offsets[edge];
+    let inside = |face: f64| fixed(offset.cut() - face, 2).unwrap_or_default();
+    let (top, bottom) = (inside(offset.top), inside(offset.bottom));
+    match panel.edge_cut {
+        _ if panel.bevels[edge].is_none() => String::new(),
+        Edges::Square => String::new(),
+        Edges::Bevelled => format!(", outer face {top} inner face {bottom} inside this outline"),
+        Edges::Stepped => format!(", outer half {top} inner half {bottom} inside this outline"),
     }
 }
 

@@ -1,23 +1,33 @@
 //! The report of a design: its parameters, figures and fabrications, measured.
 
-use super::parameter_texts;
-use crate::analysis::{Analysis, Elements, Fabrication, PanelsMade, RequirementResult};
+use super::{design_hash, names, parameter_texts, project_sources};
+use crate::analysis::{Analysis, Elements, Fabrication, LimitValue, PanelsMade, RequirementResult};
 use crate::export::number::Fixed;
 use crate::export::part::Part;
 use crate::export::report::{
-    self, Counts, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport, OptionReport,
-    Parameter, PlanarityReport, PlanarizeReport, Quantity, Report, Requirement, SurfaceSummary,
+    self, Counts, Distribution, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport,
+    OptionReport, Parameter, PlanarityReport, PlanarizeReport, Quantity, ReliefReport, Report, Requirement,
+    SourceReport, SurfaceSummary,
 };
+use crate::fabricate::checks::Limit;
 use crate::fabricate::label::Label;
 use crate::geometry::{MeshSummary, QuadMeasure, QuadMesh};
 use crate::hir::schema::Measure;
 use crate::plan::extent::Extent;
 use crate::plan::{Depth, Each, Shape};
 use crate::planarize::{Outcome, Perturbation, Pin, StopReason};
+use sha2::{Digest, Sha256};
 
 /// The report with the parts of each block.
 pub(super) fn report(analysis: &Analysis, parts: Vec<Vec<Part>>) -> Report {
     let mut out = Report::new(&analysis.design_name());
+    let docs = analysis.files.first().map_or(&[][..], |file| &file.parse.ast.docs);
+    let paragraph = docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty());
+    out.summary = paragraph.collect::<Vec<_>>().join(" ");
+    out.design_hash = design_hash(analysis);
+    let source =
+        |(path, bytes): (String, &[u8])| SourceReport { path, sha256: names::hex(&Sha256::digest(bytes)) };
+    out.sources = project_sources(analysis).into_iter().map(source).collect();
     out.parameters = parameter_texts(analysis)
         .into_iter()
         .map(|(name, value)| Parameter { set: analysis.set_parameters.contains(&name), name, value })
@@ -73,29 +83,29 @@ fn depth_words(depth: &Depth) -> String {
 }
 
 fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> report::Fabrication {
-    let (kind, material, counts, masses, planarity) = match &made.elements {
+    let (kind, counts, masses, planarity) = match &made.elements {
         Elements::Panels(panels) => {
             let (done, refused) = (panels.panels.len(), panels.refused.len());
             let masses: Option<Vec<f64>> = panels.panels.iter().map(|panel| panel.mass).collect();
-            ("panels", &panels.settings.material, (done, refused), masses, planarity(panels))
+            ("panels", (done, refused), masses, planarity(panels))
         }
         Elements::Planks(planks) => {
             let (done, refused) = (planks.planks.len(), planks.refused.len());
             let masses: Option<Vec<f64>> = planks.planks.iter().map(|plank| plank.mass).collect();
-            ("planks", &planks.settings.material, (done, refused), masses, None)
+            ("planks", (done, refused), masses, None)
         }
     };
     report::Fabrication {
         figure: made.figure.clone(),
         kind,
         scale: Fixed::ratio(made.scale),
-        material: MaterialReport {
-            name: material.name.clone(),
-            thickness_mm: material.thickness.map(Fixed::mm),
-            mass_kg: masses.map(|masses| Fixed::kilograms(masses.iter().sum())),
-        },
+        material: material_report(made, masses, &parts),
         counts: Counts { elements: counts.0 + counts.1, made: counts.0, refused: counts.1 },
         planarity,
+        relief: match &made.elements {
+            Elements::Panels(panels) => Some(ReliefReport::of(&panels.corners)),
+            Elements::Planks(_) => None,
+        },
         requirements: made
             .requirements
             .iter()
@@ -105,15 +115,69 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
     }
 }
 
+fn material_report(made: &Fabrication, masses: Option<Vec<f64>>, parts: &[Part]) -> MaterialReport {
+    let sum = |figure: fn(&Part) -> Option<Fixed>| -> f64 {
+        parts.iter().filter_map(figure).map(|figure| figure.value).sum()
+    };
+    let area_m2 = sum(|part| part.area_m2);
+    let (material, board, bar) = match &made.elements {
+        Elements::Panels(panels) => (&panels.settings.material, Some(panels.settings.board), None),
+        Elements::Planks(planks) => (&planks.settings.material, None, Some(planks.settings.stock)),
+    };
+    let length = bar.map(|_| sum(|part| part.length_mm));
+    let held = match (board, bar.zip(length)) {
+        (Some((length, width)), _) => area_m2 / (length * width * 1e-6),
+        (_, Some((bar, length))) => length / bar,
+        _ => 0.0,
+    };
+    MaterialReport {
+        name: material.name.clone(),
+        thickness_mm: material.thickness.map(Fixed::mm),
+        mass_kg: masses.map(|masses| Fixed::kilograms(masses.iter().sum())),
+        area_m2: Fixed { value: area_m2, ..Fixed::square_metres(0.0) },
+        length_mm: length.map(Fixed::mm),
+        board_mm: board.map(|(length, width)| [length, width].map(Fixed::mm)),
+        bar_mm: bar.map(Fixed::mm),
+        raw_at_least: if held.is_finite() { (held - 1e-9).ceil().max(0.0) as u64 } else { 0 },
+    }
+}
+
+fn limits(limit: &LimitValue) -> Vec<(&'static str, f64)> {
+    match *limit {
+        LimitValue::Plain(limit) => match limit {
+            Limit::AtLeast(least) => vec![("at least", least)],
+            Limit::AtMost(most) => vec![("at most", most)],
+            Limit::Within(least, most) => vec![("at least", least), ("at most", most)],
+            Limit::Above(bound) => vec![("above", bound)],
+            Limit::Below(bound) => vec![("below", bound)],
+            Limit::Equal(value) => vec![("equal to", value)],
+        },
+        LimitValue::Grain(least) => {
+            vec![("at least, across the grain", least.across), ("at least, along the grain", least.along)]
+        }
+    }
+}
+
 fn requirement_report(analysis: &Analysis, requirement: &RequirementResult) -> Requirement {
     let text =
         analysis.sources.get(requirement.span.file).map_or("", |source| source.slice(requirement.span));
-    let quantity = match requirement.measure {
+    let (measure, limits) = (requirement.measure, limits(&requirement.limit));
+    Requirement::of(text, measure.words(), quantity(measure), &limits, &requirement.result)
+}
+
+/// The quantity that a measure is of.
+fn quantity(measure: Measure) -> Quantity {
+    match measure {
         Measure::Planarity => Quantity::Planarity,
-        Measure::Mitre => Quantity::Angle,
-        Measure::Edge | Measure::Length | Measure::Overlap | Measure::BendRadius => Quantity::Length,
-    };
-    Requirement::of(text, quantity, &requirement.result)
+        Measure::DiagonalRatio => Quantity::Ratio,
+        Measure::Fold | Measure::Angle | Measure::Mitre | Measure::Bevel => Quantity::Angle,
+        Measure::Edge | Measure::Length | Measure::Width | Measure::BendRadius | Measure::Overlap => {
+            Quantity::Length
+        }
+        Measure::Area => Quantity::Area,
+        Measure::Mass => Quantity::Mass,
+        Measure::Count => Quantity::Count,
+    }
 }
 
 /// All surfaces of a block together; planarizing is told for each of them in turn.
@@ -137,9 +201,25 @@ fn planarity(panels: &PanelsMade) -> Option<PlanarityReport> {
     Some(PlanarityReport {
         before: summary(|figure| &figure.designed),
         after: summary(|figure| &figure.built),
+        folds_deg: folds(panels),
         planarize: planarize.map(|(options, outcome)| planarize_report(options, outcome)),
         moved: MovedReport::between(&joined(|figure| &figure.designed), &joined(|figure| &figure.built)),
     })
+}
+
+/// The larger folds as designed and as built, in bins from 0 to the largest of all.
+fn folds(panels: &PanelsMade) -> Option<[Distribution; 2]> {
+    let of = |mesh: fn(&crate::analysis::PanelFigure) -> &QuadMesh| -> Vec<f64> {
+        let quads = panels.figures.iter().flat_map(|figure| {
+            let mesh = mesh(figure);
+            (0..mesh.quads.len()).filter_map(|quad| QuadMeasure::of(mesh.corners_of(quad)).larger_fold())
+        });
+        quads.collect()
+    };
+    let (before, after) = (of(|figure| &figure.designed), of(|figure| &figure.built));
+    let most = before.iter().chain(&after).copied().fold(0.0, f64::max);
+    let over = |values: Vec<f64>| Distribution::over(values, (0.0, most), Fixed::degrees);
+    Some([over(before)?, over(after)?])
 }
 
 fn planarize_report(options: &Perturbation, outcome: &Outcome) -> PlanarizeReport {

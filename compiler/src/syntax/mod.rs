@@ -5,6 +5,7 @@
 pub mod ast;
 mod docs;
 pub mod format;
+mod imports;
 mod lexeme;
 mod lexer;
 pub mod limits;
@@ -18,6 +19,7 @@ mod tests;
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::source::{Source, Span};
+pub use imports::imported_paths;
 use limits::{MAX_BYTES, Said};
 pub use parser::MEASURES;
 pub use token::{Token, TokenKind};

@@ -103,9 +103,17 @@ impl Writer<'_> {
 
     fn requirement(&mut self, panels: bool) -> String {
         let usual: &[&str] = if panels {
-            &["planarity >= 0.999", "edge in 10mm .. 3m", "bend radius >= material.min_bend_radius"]
+            &[
+                "planarity >= 0.999",
+                "edge in 10mm .. 3m",
+                "bend radius >= material.min_bend_radius",
+                "fold <= 5deg",
+                "width >= 20mm",
+                "angle in 20deg .. 160deg",
+                "mass <= 80kg",
+            ]
         } else {
-            &["length in 10mm .. 3m", "mitre <= 45deg", "overlap >= 80mm"]
+            &["length in 10mm .. 3m", "mitre <= 45deg", "overlap >= 80mm", "count <= 500"]
         };
         let words =
             if self.choices.chance(3) { self.choices.pick(REQUIREMENTS) } else { self.choices.pick(usual) };

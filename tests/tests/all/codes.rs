@@ -208,6 +208,9 @@ fn every_module_of_the_library_is_without_fault() {
     }
 }
 
+/// The mesh that the pages import.
+const JOINT: &[u8] = include_bytes!("../../suite/meshes/joint.glb");
+
 /// The pages of documentation with their paths.
 fn pages() -> Vec<(String, String)> {
     let mut paths = sources::files(&root().join("docs"), "md");
@@ -224,7 +227,7 @@ fn the_designs_in_the_documentation_mean_what_it_says() {
     let mut seen = 0;
     for (path, page) in pages() {
         let code = path.rsplit('/').next().and_then(|name| Code::parse(name.split('.').next()?));
-        let mut files = MemoryFiles::default();
+        let mut files = MemoryFiles::default().with("joint.glb", JOINT);
         for block in blocks(&page).into_iter().filter(Block::is_design) {
             seen += 1;
             let name = block.file.as_deref().unwrap_or("design.ifs");

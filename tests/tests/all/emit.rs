@@ -48,7 +48,13 @@ fn only_what_is_asked_for_is_written() {
         let build = |emit: &str| {
             run(program().arg("build").arg(example_path(&name)).args(["--emit", emit, "-o"]).arg(&out)).good()
         };
-        for (emit, expected) in [("glb", &["model.glb"][..]), ("csv", lists), ("json", &["report.json"])] {
+        let one_each = [
+            ("glb", &["model.glb"][..]),
+            ("csv", lists),
+            ("html", &["report.html"]),
+            ("json", &["report.json"]),
+        ];
+        for (emit, expected) in one_each {
             build(emit);
             let mut expected: Vec<&str> = expected.iter().copied().chain(["manifest.json"]).collect();
             expected.sort_unstable();

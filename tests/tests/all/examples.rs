@@ -46,6 +46,7 @@ const REFEREES: &[(&str, Referee)] = &[
     ("numpy and shapely", |built| {
         (!parts(&built.report).is_empty()).then(|| python_referee("figures.py", &[&built.folder]))
     }),
+    ("Python's XML parser", |built| Some(python_referee("html.py", &[&built.folder]))),
     ("LinuxCNC's rs274 and shapely", |built| {
         if !CUT.contains(&built.name.as_str()) {
             return None;

@@ -12,6 +12,9 @@ use ifs_compiler::hir::{library_docs, library_page};
 use ifs_compiler::source::MemoryFiles;
 use ifs_tests::{root, suite};
 
+/// The mesh that examples import.
+const JOINT: &[u8] = include_bytes!("../../suite/meshes/joint.glb");
+
 /// The designs in a doc comment.
 fn designs(docs: &[String]) -> Vec<String> {
     let mut found = Vec::new();
@@ -39,7 +42,8 @@ fn every_example_in_the_library_can_be_used() {
             for design in designs(&docs) {
                 seen += 1;
                 let overrides = Overrides::default();
-                let analysis = analyse(&MemoryFiles::single("design.ifs", &design), "design.ifs", &overrides);
+                let files = MemoryFiles::single("design.ifs", &design).with("joint.glb", JOINT);
+                let analysis = analyse(&files, "design.ifs", &overrides);
                 let tested = run_tests(&analysis, &overrides);
                 let tested = tested.iter().flat_map(|result| &result.diagnostics);
                 // That irrational coefficients are rounded is said wherever it is so.

@@ -10,6 +10,8 @@ mod examples;
 mod figures;
 mod fmt;
 mod format;
+mod html;
+mod imported;
 mod index;
 mod killing;
 mod library;

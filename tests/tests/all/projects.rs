@@ -8,13 +8,17 @@ use std::path::Path;
 
 use ifs_tests::designs::{assert_same, contents};
 use ifs_tests::outcome::{run, run_with};
-use ifs_tests::{program, scratch};
+use ifs_tests::{program, root, scratch};
 use serde_json::Value;
 
 const DESIGN: &str = "use \"../parts/ribs.ifs\" (rib)\nfigure arch = rib(3m)\n";
 const RIBS: &str = "use std.curves (bezier2)\nuse \"./sizes.ifs\" (rise)\n/// A rib.\npub fn rib(span: Length) \
                     -> Curve = bezier2 on ((0m, 0m), (span / 2, rise), (span, 0m)) at level 3\n";
 const SIZES: &str = "pub param rise: Length = 2m in 1m .. 4m\n";
+
+const PLANKS: &str = "use std.materials (sawn_spruce)\nuse std.machines (router3)\nfabricate arch as planks { \
+                      material: sawn_spruce section: 60mm by 27mm stock: 4m ends: square machine: router3(tool: 8mm) \
+                      }\n";
 
 /// A project of three files, marked by an `ifs.toml`.
 fn project(folder: &Path) {
@@ -55,7 +59,7 @@ fn every_file_counts_for_the_hash_of_the_design() {
     project(&folder);
     let program_of = || {
         let design = folder.join("designs/arch.ifs");
-        fs::write(&design, format!("{DESIGN}use std.materials (sawn_spruce)\nuse std.machines (router3)\nfabricate arch as planks {{ material: sawn_spruce section: 60mm by 27mm stock: 4m ends: square machine: router3(tool: 8mm) }}\n")).unwrap();
+        fs::write(&design, format!("{DESIGN}{PLANKS}")).unwrap();
         run(program().current_dir(&folder).args(["build", "designs/arch.ifs", "-o", "made"])).good();
         let set = contents(&folder.join("made"));
         let (_, text) = set.iter().find(|(name, _)| name.ends_with(".nc")).unwrap();
@@ -65,6 +69,32 @@ fn every_file_counts_for_the_hash_of_the_design() {
     fs::write(folder.join("parts/sizes.ifs"), format!("{SIZES}// a word\n")).unwrap();
     let after = program_of();
     assert_ne!(before, after, "the header names the hash of all files");
+}
+
+#[test]
+fn a_mesh_counts_for_the_hash_of_the_design_and_is_among_its_sources() {
+    let folder = scratch("project-mesh");
+    project(&folder);
+    let mesh = fs::read(root().join("tests/suite/meshes/joint.glb")).unwrap();
+    let design = "ifs tip in space {\n    transform half = scale(1/2) * self\n    germ import(\"../parts/joint.glb\")\n}\n\
+                  figure tips = tip at level 1\nfigure again = tip at level 0\n";
+    fs::write(folder.join("designs/tip.ifs"), format!("{DESIGN}{design}{PLANKS}")).unwrap();
+    let built = |bytes: &[u8]| {
+        fs::write(folder.join("parts/joint.glb"), bytes).unwrap();
+        run(program().current_dir(&folder).args(["build", "designs/tip.ifs", "-o", "made"])).good();
+        let set = contents(&folder.join("made"));
+        let (_, program) = set.iter().find(|(name, _)| name.ends_with(".nc")).unwrap();
+        let manifest: Value = serde_json::from_slice(&set["manifest.json"]).unwrap();
+        (String::from_utf8(program.clone()).unwrap(), manifest["sources"].clone())
+    };
+    let (program, sources) = built(&mesh);
+    let paths: Vec<&str> =
+        sources.as_array().unwrap().iter().map(|source| source["path"].as_str().unwrap()).collect();
+    assert_eq!(paths, ["designs/tip.ifs", "parts/joint.glb", "parts/ribs.ifs", "parts/sizes.ifs"]);
+    // Bytes after the end that the file says it has: the same mesh, another file.
+    let (longer, others) = built(&[mesh.as_slice(), b"more"].concat());
+    assert_ne!(program, longer, "the header names the hash of all files");
+    assert_ne!(sources[1]["sha256"], others[1]["sha256"]);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use super::super::requirements::LimitValue;
 use super::super::settings;
 use super::{PanelFigure, PanelsMade, Work};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::fabricate::panel::{Grain, PanelSettings, Side, panels};
+use crate::fabricate::panel::{Edges, Grain, PanelSettings, Side, panels};
 use crate::hir::schema::Measure;
 use crate::plan::FigurePlan;
 use crate::planarize::{Perturbation, perturb};
@@ -26,6 +26,11 @@ impl Work<'_> {
                 Some(1) => Grain::V,
                 _ => Grain::Free,
             },
+            edges: match settings::choice(self.setting("edges")) {
+                Some(1) => Edges::Bevelled,
+                Some(2) => Edges::Stepped,
+                _ => Edges::Square,
+            },
         };
         let perturbation = self.planarize(limits)?;
         let mut made = PanelsMade {
@@ -34,6 +39,7 @@ impl Work<'_> {
             figures: Vec::new(),
             panels: Vec::new(),
             refused: Vec::new(),
+            corners: Vec::new(),
         };
         let figures: Vec<(usize, FigurePlan)> =
             self.figures().into_iter().map(|(place, figure)| (place, figure.clone())).collect();
@@ -47,6 +53,9 @@ impl Work<'_> {
     /// How to planarize, where that is asked for and of use; `None` after a report of an error.
     fn planarize(&mut self, limits: &[LimitValue]) -> Option<Option<Perturbation>> {
         let Some((_, value, span)) = self.setting("planarize").cloned() else { return Some(None) };
+        if self.leave_unplanarized {
+            return Some(None);
+        }
         match settings::perturbation(&value, span, self.goal(limits)) {
             Ok(_) if self.figures().iter().all(|(_, figure)| figure.shape.planar_by_construction()) => {
                 let message =
@@ -87,8 +96,12 @@ impl Work<'_> {
         let built = outcome.as_ref().map_or_else(|| designed.clone(), |outcome| outcome.mesh.clone());
         let (designed, built) = (self.scaled_mesh(designed), self.scaled_mesh(built));
         match panels(&designed, &built, &labels, &made.settings) {
-            Ok(done) => {
+            Ok(mut done) => {
+                // Surfaces are put up one after the other.
+                let before = made.panels.len() as u32;
+                done.panels.iter_mut().for_each(|panel| panel.order += before);
                 made.panels.extend(done.panels);
+                made.corners.extend(done.corners);
                 made.refused.extend(done.refused);
             }
             Err(error) => {

@@ -4,12 +4,16 @@ use super::super::placed::{FigureGeometry, segment_labels};
 use super::super::settings;
 use super::{PlankFigure, PlanksMade, Work};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::fabricate::plank::{Ends, PlankError, PlankSettings, closed_planks, planks};
+use crate::fabricate::plank::{CutPlane, Ends, Plank, PlankError, PlankSettings, closed_planks, planks};
 use crate::hir::value::Value;
 use crate::plan::FigurePlan;
+use glam::DVec3;
 
 /// The length of stock where a design names none, mm: longer than any bar.
 const ANY_STOCK: f64 = 1e9;
+
+/// Ends that lean by no more than this are square for a machine, rad: 0.01 degrees, 0.02 mm over 120 mm.
+const SQUARE_ENOUGH: f64 = 0.01 * std::f64::consts::PI / 180.0;
 
 impl Work<'_> {
     pub(super) fn planks(&mut self) -> Option<PlanksMade> {
@@ -26,6 +30,8 @@ impl Work<'_> {
             },
             gap: number(self, "gap").unwrap_or(0.0),
             stock: number(self, "stock").unwrap_or(ANY_STOCK),
+            first: self.cut_plane("first"),
+            last: self.cut_plane("last"),
         };
         let mut made = PlanksMade { settings, figures: Vec::new(), planks: Vec::new(), refused: Vec::new() };
         let figures: Vec<(usize, FigurePlan)> =
@@ -34,7 +40,45 @@ impl Work<'_> {
             self.curve(place, &figure, &mut made)?;
         }
         self.refused_planks(&made.refused);
+        self.beyond_the_machine(&made.planks);
         Some(made)
+    }
+
+    /// The plane of an end, at the block's scale.
+    fn cut_plane(&self, name: &str) -> Option<CutPlane> {
+        let Some((_, Value::Cut(plane), _)) = self.setting(name) else { return None };
+        let mut point = [DVec3::from(plane.point)];
+        self.scale_points(&mut point);
+        Some(CutPlane { point: point[0], normal: plane.normal.into() })
+    }
+
+    /// A machine that cuts planks as they lie flat makes end cuts square to that face, and no others.
+    fn beyond_the_machine(&mut self, planks: &[Plank]) {
+        let Some((_, _, span)) = self.setting("machine").cloned() else { return };
+        let leaning = |plank: &&Plank| plank.bevels.iter().any(|bevel| bevel.abs() > SQUARE_ENOUGH);
+        let mut leaning = planks.iter().filter(leaning);
+        let Some(first) = leaning.next() else { return };
+        let bevel = first.bevels.iter().fold(0.0, |most: f64, bevel| most.max(bevel.abs()));
+        let message = format!(
+            "{} ({}) gets no program: an end leans {:.2}deg out of square to the plane of its curve, and a \
+             three-axis machine cuts square to the face that lies up",
+            first.label.alias,
+            first.label.address,
+            bevel.to_degrees()
+        );
+        let mut diagnostic = Diagnostic::new(Code::E0850, span, message).label("cannot cut this bevel");
+        for name in ["first", "last"] {
+            if let Some((_, _, setting)) = self.setting(name) {
+                diagnostic = diagnostic.also(*setting, "cut to this plane");
+            }
+        }
+        let others = leaning.count();
+        if others > 0 {
+            diagnostic = diagnostic.note(format!("and {others} more"));
+        }
+        let hint = "choose a plane square to the plane of the curve, or leave `machine` out: the cut list has the \
+                    mitre and the bevel for the saw";
+        self.diagnostics.push(diagnostic.hint(hint));
     }
 
     fn curve(&mut self, place: usize, figure: &FigurePlan, made: &mut PlanksMade) -> Option<()> {
@@ -50,7 +94,10 @@ impl Work<'_> {
             false => planks(&points, &labels, &made.settings),
         };
         match made_of {
-            Ok(done) => {
+            Ok(mut done) => {
+                // Curves are put up one after the other.
+                let before = made.planks.len() as u32;
+                done.planks.iter_mut().for_each(|plank| plank.order += before);
                 made.planks.extend(done.planks);
                 made.refused.extend(done.refused);
             }
@@ -59,6 +106,11 @@ impl Work<'_> {
                     .into_iter()
                     .find(|setting| what.starts_with(setting) || what.ends_with(setting));
                 let setting = given.unwrap_or("section");
+                self.refuse(setting, &error.to_string());
+                return None;
+            }
+            Err(error @ PlankError::NoEnds) => {
+                let setting = if made.settings.first.is_some() { "first" } else { "last" };
                 self.refuse(setting, &error.to_string());
                 return None;
             }

@@ -1,4 +1,5 @@
-//! Elements no board or plank can be made of, said at the setting that is in the way.
+//! Elements no board or plank can be made of, said at the setting that is in the way. Those that are only too large for the
+//! raw boards or bars are told with their remedies, as requirements that fail are.
 
 use super::Work;
 use crate::diagnostic::{Code, Diagnostic};
@@ -10,11 +11,15 @@ use crate::source::Span;
 impl Work<'_> {
     pub(super) fn refused_panels(&mut self, refused: &[RefusedPanel]) {
         let large = |refusal: &&RefusedPanel| matches!(refusal.reason, PanelRefusal::TooLarge { .. });
-        let too_large: Vec<&RefusedPanel> = refused.iter().filter(large).collect();
-        let others: Vec<&RefusedPanel> = refused.iter().filter(|refusal| !large(refusal)).collect();
-        let board = self.setting("board").map_or(self.block.figure_span, |(_, _, span)| *span);
+        let eaten = |refusal: &&RefusedPanel| {
+            matches!(refusal.reason, PanelRefusal::SideVanishes { .. } | PanelRefusal::NoCorner { .. })
+        };
+        let eaten_up: Vec<&RefusedPanel> = refused.iter().filter(eaten).collect();
+        let others: Vec<&RefusedPanel> =
+            refused.iter().filter(|refusal| !large(refusal) && !eaten(refusal)).collect();
+        let edges = self.setting("edges").map_or(self.block.figure_span, |(_, _, span)| *span);
         for (group, span, hint) in [
-            (too_large, board, "use a larger board, or a higher level: the elements get smaller"),
+            (eaten_up, edges, "use a thinner material, a lower level (larger boards), or `edges: square`"),
             (others, self.block.figure_span, "move the control points so that the quads there are convex"),
         ] {
             let named: Vec<(&Label, String)> =
@@ -25,14 +30,23 @@ impl Work<'_> {
 
     pub(super) fn refused_planks(&mut self, refused: &[RefusedPlank]) {
         let place = |name: &str| self.setting(name).map_or(self.block.figure_span, |(_, _, span)| *span);
-        let (stock, section, figure) = (place("stock"), place("section"), self.block.figure_span);
+        let (section, figure) = (place("section"), self.block.figure_span);
         for (span, hint, is_meant) in [
             (
-                stock,
-                "use longer stock, or a higher level: the planks get shorter",
-                too_long as fn(&PlankRefusal) -> bool,
+                section,
+                "use a smaller depth, or a lower level: the planks get longer",
+                cuts_cross as fn(&PlankRefusal) -> bool,
             ),
-            (section, "use a smaller depth, or a lower level: the planks get longer", cuts_cross),
+            (
+                place("ends"),
+                "let the curve turn less at the joint, or write `ends: square`; a plane is to cross the plank",
+                too_steep,
+            ),
+            (
+                place("gap"),
+                "use a smaller gap, or a lower level; a plane is to cross the first or the last plank",
+                nothing_left,
+            ),
             (figure, "move the control points apart, or use a lower level", no_length),
         ] {
             let group = refused.iter().filter(|refusal| is_meant(&refusal.reason));
@@ -57,12 +71,16 @@ impl Work<'_> {
     }
 }
 
-fn too_long(reason: &PlankRefusal) -> bool {
-    matches!(reason, PlankRefusal::TooLong { .. })
-}
-
 fn cuts_cross(reason: &PlankRefusal) -> bool {
     matches!(reason, PlankRefusal::CutsCross { .. })
+}
+
+fn too_steep(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::TooSteep { .. })
+}
+
+fn nothing_left(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::NothingLeft { .. })
 }
 
 fn no_length(reason: &PlankRefusal) -> bool {

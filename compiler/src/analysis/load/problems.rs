@@ -3,6 +3,7 @@
 use super::paths::PathFault;
 use super::{MOST_BYTES, MOST_FILES};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::gltf::{Fault, FaultKind};
 use crate::source::{FileId, ReadError, Span};
 use crate::syntax::ast::TextLiteral;
 
@@ -13,16 +14,17 @@ pub(in crate::analysis) fn unreadable_design(path: &str, error: &ReadError, file
 }
 
 /// A file that is used cannot be read; `path` is where it was looked for.
-pub(super) fn unreadable(written: &TextLiteral, path: &str, error: &ReadError) -> Diagnostic {
+/// `ending` is that of such files.
+pub(super) fn unreadable(written: &TextLiteral, path: &str, error: &ReadError, ending: &str) -> Diagnostic {
     let message = format!("`{path}` cannot be read: {}", why(error));
     let diagnostic = Diagnostic::new(Code::E0306, written.span, message);
     match error {
         ReadError::NotFound => {
             let diagnostic = diagnostic.label("no such file");
-            if path.ends_with(".ifs") {
+            if path.ends_with(&format!(".{ending}")) {
                 diagnostic.hint("is the path right? It starts at the file in which it stands")
             } else {
-                diagnostic.hint(format!("the name of a file has its ending: `{}.ifs`", written.value))
+                diagnostic.hint(format!("the name of a file has its ending: `{}.{ending}`", written.value))
             }
         }
         ReadError::OutsideRoot => diagnostic.label("outside of the project").hint(INSIDE),
@@ -41,8 +43,8 @@ fn why(error: &ReadError) -> String {
     }
 }
 
-/// A path that leads to no file of the project.
-pub(super) fn no_path(written: &TextLiteral, fault: &PathFault) -> Diagnostic {
+/// A path that leads to no file of the project; `example` is a path as it should be.
+pub(super) fn no_path(written: &TextLiteral, fault: &PathFault, example: &str) -> Diagnostic {
     let shown: String = written
         .value
         .chars()
@@ -53,11 +55,11 @@ pub(super) fn no_path(written: &TextLiteral, fault: &PathFault) -> Diagnostic {
         Diagnostic::new(Code::E0310, written.span, message).label("not a path of the project")
     };
     match fault {
-        PathFault::NoFile => refused("names no file").hint("name one: `\"./ribs.ifs\"`"),
+        PathFault::NoFile => refused("names no file").hint(format!("name one: `\"{example}\"`")),
         PathFault::Control => refused("has a control character in it").hint("remove it"),
         PathFault::Absolute => {
             let diagnostic = refused("starts at the root of the system, not in the project");
-            diagnostic.hint("write the path from the file in which it stands: `\"./ribs.ifs\"`")
+            diagnostic.hint(format!("write the path from the file in which it stands: `\"{example}\"`"))
         }
         PathFault::Backslash => {
             let path = written.value.replace('\\', "/");
@@ -95,4 +97,16 @@ pub(super) fn too_many_bytes(written: &TextLiteral) -> Diagnostic {
     let message = format!("the files of the design have more than {limit} MiB together");
     let hint = "a design is a text of some pages: leave out what it does not need";
     Diagnostic::new(Code::E0312, written.span, message).label("too much with this one").hint(hint)
+}
+
+/// A file that gives no mesh; `path` is where it lies.
+pub(super) fn no_mesh(written: &TextLiteral, path: &str, fault: &Fault) -> Diagnostic {
+    let (code, label) = match fault.kind {
+        FaultKind::Malformed => (Code::E0556, "no mesh that can be read"),
+        FaultKind::Unsupported => (Code::E0556, "not read"),
+        FaultKind::Empty => (Code::E0556, "nothing to draw"),
+        FaultKind::TooLarge => (Code::E0558, "too large"),
+    };
+    let message = format!("`{path}` at {}: {}", fault.place, fault.what);
+    Diagnostic::new(code, written.span, message).label(label).hint(fault.mend)
 }

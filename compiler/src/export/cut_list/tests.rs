@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::*;
 use crate::fabricate::label::Label;
 use crate::fabricate::material::Material;
-use crate::fabricate::panel::{Grain, PanelSettings, Side, panels};
+use crate::fabricate::panel::{Edges, Grain, PanelSettings, Side, panels};
 use crate::fabricate::plank::{Ends, PlankSettings, planks};
 use crate::geometry::samples;
 
@@ -27,6 +27,7 @@ fn parts() -> Vec<Part> {
         board: (2500.0, 1250.0),
         side: Side::Centred,
         grain: Grain::U,
+        edges: Edges::Square,
     };
     let labels = [label("shell.l-l", "shell-0-0"), label("shell.r-l", "shell-1-0")];
     let boards = panels(&mesh, &mesh, &labels, &settings).unwrap().panels;
@@ -40,6 +41,8 @@ fn parts() -> Vec<Part> {
         ends: Ends::Mitred,
         gap: 0.0,
         stock: 4000.0,
+        first: None,
+        last: None,
     };
     let points = [DVec3::ZERO, DVec3::X * 400.0, DVec3::new(400.0, 0.0, 400.0)];
     let labels = [label("rib.l", "rib-0"), label("rib.r", "rib-1")];

@@ -1,4 +1,4 @@
-//! The colours of the planarity map: blue is flatter than required, light grey just as required, red twice as far off.
+//! The colours of the planarity map, in the model and in the report: blue is flatter than required, light grey just as required, red twice as far off.
 
 use crate::geometry::QuadMeasure;
 
@@ -13,7 +13,7 @@ const NONE: [f64; 3] = [0.15, 0.0, 0.15];
 
 /// A scale of planarity with the required one in its middle.
 #[derive(Debug, Clone)]
-pub(super) struct Scale {
+pub(in crate::export) struct Scale {
     /// Linear RGBA for the angles from 0 to twice the allowed fold.
     steps: Vec<[u16; 4]>,
     /// The fold that is still allowed, rad.
@@ -22,29 +22,37 @@ pub(super) struct Scale {
 
 impl Scale {
     /// The scale around the planarity `required`.
-    pub(super) fn around(required: f64) -> Self {
+    pub(in crate::export) fn around(required: f64) -> Self {
         let steps = (0..STEPS).map(|step| colour(step as f64 / (STEPS - 1) as f64)).collect();
         Self { steps, allowed: libm::acos(required.clamp(-1.0, 1.0)).max(1e-6) }
     }
 
+    /// The sRGB colour of a larger fold, rad; none for a quad that has none.
+    pub(in crate::export) fn srgb(&self, fold: Option<f64>) -> [f64; 3] {
+        fold.map_or(NONE, |fold| mixed((fold / (2.0 * self.allowed)).clamp(0.0, 1.0)).map(from_linear))
+    }
+
     /// The colour of a quad, linear RGBA as glTF has it in 16 bits.
     pub(super) fn of(&self, measure: &QuadMeasure) -> [u16; 4] {
-        let Some((ac, bd)) = measure.fold_ac.zip(measure.fold_bd).filter(|_| measure.planarity.is_some())
-        else {
+        let Some(fold) = measure.larger_fold() else {
             return linear(NONE);
         };
-        let place = (ac.max(bd) / (2.0 * self.allowed)).min(1.0);
+        let place = (fold / (2.0 * self.allowed)).min(1.0);
         self.steps[(place * (STEPS - 1) as f64).round() as usize]
     }
 }
 
 /// The colour at `place` in 0 ..= 1, mixed in OKLab (Ottosson 2020), so that equal steps look equal.
 fn colour(place: f64) -> [u16; 4] {
+    rgba(mixed(place))
+}
+
+/// The same, linear red, green and blue.
+fn mixed(place: f64) -> [f64; 3] {
     let (from, to, part) =
         if place < 0.5 { (ENDS[0], ENDS[1], place * 2.0) } else { (ENDS[1], ENDS[2], place * 2.0 - 1.0) };
     let (from, to) = (oklab(from), oklab(to));
-    let mixed = [0, 1, 2].map(|axis| from[axis] + (to[axis] - from[axis]) * part);
-    rgba(from_oklab(mixed))
+    from_oklab([0, 1, 2].map(|axis| from[axis] + (to[axis] - from[axis]) * part))
 }
 
 fn linear(srgb: [f64; 3]) -> [u16; 4] {
@@ -58,6 +66,11 @@ fn rgba(linear: [f64; 3]) -> [u16; 4] {
 
 fn to_linear(part: f64) -> f64 {
     if part <= 0.04045 { part / 12.92 } else { libm::pow((part + 0.055) / 1.055, 2.4) }
+}
+
+fn from_linear(part: f64) -> f64 {
+    let part = part.clamp(0.0, 1.0);
+    if part <= 0.003_130_8 { part * 12.92 } else { 1.055 * libm::pow(part, 1.0 / 2.4) - 0.055 }
 }
 
 fn times(matrix: [[f64; 3]; 3], vector: [f64; 3]) -> [f64; 3] {

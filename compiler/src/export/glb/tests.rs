@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::fabricate::material::Material;
-use crate::fabricate::panel::{Grain, Panel, PanelSettings, Side, panels};
+use crate::fabricate::panel::{Edges, Grain, Panel, PanelSettings, Side, panels};
 use crate::fabricate::plank::{Ends, Plank, PlankSettings, planks};
 use crate::geometry::samples;
 
@@ -39,6 +39,7 @@ fn boards(mesh: &QuadMesh) -> Vec<Panel> {
         board: (2500.0, 1250.0),
         side: Side::Centred,
         grain: Grain::Free,
+        edges: Edges::Square,
     };
     panels(mesh, mesh, &labels("shell", mesh.quads.len()), &settings).unwrap().panels
 }
@@ -55,6 +56,8 @@ fn rib() -> (Vec<DVec3>, Vec<Plank>) {
         ends: Ends::Mitred,
         gap: 0.0,
         stock: 4000.0,
+        first: None,
+        last: None,
     };
     let made = planks(&points, &labels("rib", 8), &settings).unwrap();
     (points, made.planks)

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::Distribution;
 use crate::export::number::Fixed;
 use crate::fabricate::checks::{CheckResult, Measured};
 
@@ -10,10 +11,14 @@ use crate::fabricate::checks::{CheckResult, Measured};
 pub struct Requirement {
     /// As the design writes it.
     pub text: String,
+    /// What is measured: `edge`, `bend radius`.
+    pub measure: &'static str,
     /// Whether everything measured is within it.
     pub holds: bool,
-    /// The unit of the figures below: `mm`, `deg` or none for a cosine.
+    /// The unit of the figures below: `mm`, `m2`, `kg`, `deg`, or none for plain numbers.
     pub unit: Option<&'static str>,
+    /// What the figures are held against.
+    pub limits: Vec<LimitReport>,
     /// How many measurements are outside it.
     pub failing: usize,
     /// How many measurements there are.
@@ -22,8 +27,20 @@ pub struct Requirement {
     pub least: Option<Fixed>,
     /// The largest measured.
     pub most: Option<Fixed>,
+    /// How the figures are spread between these two.
+    pub distribution: Option<Distribution>,
     /// The worst, the worst first.
     pub worst: Vec<WorstReport>,
+}
+
+/// A bound of a requirement.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LimitReport {
+    /// `at least`, `at most`, `above`, `below` or `equal to`; with `across the grain` or `along the grain` where the
+    /// bound depends on it.
+    pub words: &'static str,
+    /// The bound, in the unit of the requirement.
+    pub value: Fixed,
 }
 
 /// One of the worst elements of a requirement.
@@ -44,20 +61,39 @@ pub struct WorstReport {
 pub enum Quantity {
     /// mm
     Length,
+    /// Measured in mm², written in m².
+    Area,
+    /// kg
+    Mass,
     /// Measured in rad, written in degrees.
     Angle,
     /// A planarity, without a unit.
     Planarity,
+    /// A diagonal ratio, without a unit.
+    Ratio,
+    /// A whole number.
+    Count,
 }
 
 impl Requirement {
-    /// The result of a check of the requirement that the design writes as `text`.
+    /// The result of a check of `measure`, asked for by what the design writes as `text`, against limits in words with
+    /// their values in the unit of the measurement.
     #[must_use]
-    pub fn of(text: &str, quantity: Quantity, result: &CheckResult) -> Self {
+    pub fn of(
+        text: &str,
+        measure: &'static str,
+        quantity: Quantity,
+        limits: &[(&'static str, f64)],
+        result: &CheckResult,
+    ) -> Self {
         let (unit, number): (_, fn(f64) -> Fixed) = match quantity {
             Quantity::Length => (Some("mm"), Fixed::mm),
             Quantity::Angle => (Some("deg"), Fixed::degrees),
+            Quantity::Area => (Some("m2"), Fixed::square_metres),
+            Quantity::Mass => (Some("kg"), Fixed::kilograms),
             Quantity::Planarity => (None, Fixed::planarity),
+            Quantity::Ratio => (None, Fixed::ratio),
+            Quantity::Count => (None, |value| Fixed { value, decimals: 0 }),
         };
         let worst = |measured: &Measured| WorstReport {
             address: measured.address.clone(),
@@ -67,12 +103,18 @@ impl Requirement {
         };
         Self {
             text: text.to_owned(),
+            measure,
             holds: result.holds(),
             unit,
+            limits: limits
+                .iter()
+                .map(|&(words, value)| LimitReport { words, value: number(value) })
+                .collect(),
             failing: result.failing,
             total: result.total,
             least: result.extremes.map(|(least, _)| number(least)),
             most: result.extremes.map(|(_, most)| number(most)),
+            distribution: Distribution::of(result.values.iter().copied(), number),
             worst: result.measured.iter().map(worst).collect(),
         }
     }

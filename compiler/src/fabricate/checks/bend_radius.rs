@@ -30,8 +30,8 @@ pub fn bend_radius(panels: &[Panel], limit: BendLimit) -> CheckResult {
             BendLimit::Grain(least) => {
                 let axis = panel.bend_axis_to_grain;
                 let needed = axis.map_or(least.any_direction(), |angle| least.at(angle));
-                let holds = Limit::AtLeast(needed).holds(radius);
-                tally.add(radius, needed / radius - 1.0, holds, &panel.label, || place(axis, needed));
+                let verdict = Limit::AtLeast(needed).verdict(radius);
+                tally.add(radius, needed / radius - 1.0, verdict, &panel.label, || place(axis, needed));
             }
         }
     }

@@ -1,5 +1,7 @@
 //! What a measured value is held against.
 
+use std::cmp::Ordering;
+
 /// A limit on a measured value, in the unit of the measurement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Limit {
@@ -22,6 +24,36 @@ pub enum Limit {
 pub const LIMIT_SLACK: f64 = 1e-9;
 
 impl Limit {
+    /// Whether the value is within the limit (equal), below it or above it. What is not a number counts as above.
+    #[must_use]
+    pub fn verdict(self, value: f64) -> Ordering {
+        let is_below = match self {
+            Self::AtLeast(bound) | Self::Above(bound) | Self::Within(bound, _) | Self::Equal(bound) => {
+                value < bound || (value <= bound && matches!(self, Self::Above(_)))
+            }
+            Self::AtMost(_) | Self::Below(_) => false,
+        };
+        match self.holds(value) {
+            true => Ordering::Equal,
+            false if is_below => Ordering::Less,
+            false => Ordering::Greater,
+        }
+    }
+
+    /// The least and the largest value within the limit, and whether these themselves are within it.
+    #[must_use]
+    pub fn ends(self) -> [(f64, bool); 2] {
+        let open = [(f64::NEG_INFINITY, true), (f64::INFINITY, true)];
+        match self {
+            Self::AtLeast(least) => [(least, true), open[1]],
+            Self::AtMost(most) => [open[0], (most, true)],
+            Self::Within(least, most) => [(least, true), (most, true)],
+            Self::Above(bound) => [(bound, false), open[1]],
+            Self::Below(bound) => [open[0], (bound, false)],
+            Self::Equal(target) => [(target, true), (target, true)],
+        }
+    }
+
     /// Whether the value is within the limit. What is not a number never is.
     #[must_use]
     pub fn holds(self, value: f64) -> bool {
@@ -54,6 +86,7 @@ fn slack(limit: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cmp::Ordering::{Equal, Greater, Less};
 
     #[test]
     fn on_within_and_beyond() {
@@ -69,6 +102,16 @@ mod tests {
             assert_eq!(values.map(|value| limit.holds(value)), expected, "{limit:?}");
             for value in values {
                 assert!(limit.holds(value) || limit.shortfall(value) >= 0.0);
+                let side = if value < 80.0 || limit == Limit::Above(80.0) { Less } else { Greater };
+                assert_eq!(
+                    limit.verdict(value),
+                    if limit.holds(value) { Equal } else { side },
+                    "{limit:?} {value}"
+                );
+                let [(least, at_least), (most, at_most)] = limit.ends();
+                let above = value > least || (at_least && value == least);
+                let below = value < most || (at_most && value == most);
+                assert_eq!(limit.holds(value), above && below, "{limit:?} {value}");
             }
             assert!(!limit.holds(f64::NAN));
         }

@@ -2,13 +2,23 @@
 //!
 //! A check measures every element it is given and judges nothing else: elements that were refused never get here.
 
+pub mod angle;
+pub mod area;
 pub mod bend_radius;
+pub mod bevel;
+pub mod count;
+pub mod diagonal_ratio;
 pub mod edge;
+pub mod fold;
 pub mod length;
 pub mod limit;
+pub mod mass;
 pub mod mitre;
 pub mod overlap;
 pub mod planarity;
+pub mod width;
+
+use std::cmp::Ordering;
 
 use super::label::Label;
 
@@ -38,10 +48,14 @@ pub struct CheckResult {
     pub measured: Vec<Measured>,
     /// How many measurements are outside the limit.
     pub failing: usize,
+    /// How many of those are below it; the others are above.
+    pub below: usize,
     /// How many measurements there are.
     pub total: usize,
     /// The least and the largest value measured; none where nothing was.
     pub extremes: Option<(f64, f64)>,
+    /// Every value measured, in the order of the elements.
+    pub values: Vec<f64>,
 }
 
 impl CheckResult {
@@ -61,18 +75,20 @@ struct Tally {
 }
 
 impl Tally {
-    /// Counts a measurement. `shortfall` is how far it is beyond its limit, below 0 within it; `holds` whether it
-    /// is within.
+    /// Counts a measurement. `shortfall` is how far it is beyond its limit, below 0 within it; `verdict` is greater for
+    /// what is above the limit.
     fn add(
         &mut self,
         value: f64,
         shortfall: f64,
-        holds: bool,
+        verdict: Ordering,
         label: &Label,
         place: impl FnOnce() -> String,
     ) {
         self.result.total += 1;
-        self.result.failing += usize::from(!holds);
+        self.result.values.push(value);
+        self.result.failing += usize::from(verdict.is_ne());
+        self.result.below += usize::from(verdict.is_lt());
         let (least, most) = self.result.extremes.unwrap_or((value, value));
         self.result.extremes = Some((least.min(value), most.max(value)));
         let position = self.shortfalls.partition_point(|&kept| kept >= shortfall);
@@ -87,7 +103,7 @@ impl Tally {
 
     /// Counts a measurement against a plain limit.
     fn judge(&mut self, value: f64, limit: Limit, label: &Label, place: impl FnOnce() -> String) {
-        self.add(value, limit.shortfall(value), limit.holds(value), label, place);
+        self.add(value, limit.shortfall(value), limit.verdict(value), label, place);
     }
 }
 

@@ -6,7 +6,7 @@ use super::bend_radius::{BendLimit, bend_radius};
 use super::{Limit, Tally, WORST_KEPT};
 use crate::fabricate::label::Label;
 use crate::fabricate::material::{LeastBendRadius, Material};
-use crate::fabricate::panel::{Grain, Panel, PanelSettings, Side, panels};
+use crate::fabricate::panel::{Edges, Grain, Panel, PanelSettings, Side, panels};
 use crate::fabricate::plank::{Ends, Plank, PlankSettings, planks};
 use crate::geometry::samples;
 
@@ -27,8 +27,13 @@ fn boards(grain: Grain, twist: f64) -> Vec<Panel> {
     let mesh = samples::mesh(4, 2, |i, j| {
         DVec3::new(i * 300.0, j * 200.0, if (i, j) == (3.0, 1.0) { twist } else { 0.0 })
     });
-    let settings =
-        PanelSettings { material: material(), board: (2500.0, 1250.0), side: Side::Centred, grain };
+    let settings = PanelSettings {
+        material: material(),
+        board: (2500.0, 1250.0),
+        side: Side::Centred,
+        grain,
+        edges: Edges::Square,
+    };
     panels(&mesh, &mesh, &labels(3), &settings).unwrap().panels
 }
 
@@ -43,6 +48,8 @@ fn knee() -> Vec<Plank> {
         ends: Ends::Mitred,
         gap: 0.0,
         stock: 4000.0,
+        first: None,
+        last: None,
     };
     planks(&points, &labels(2), &settings).unwrap().planks
 }

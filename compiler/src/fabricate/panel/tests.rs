@@ -18,7 +18,13 @@ fn plywood(thickness: f64) -> Material {
 }
 
 fn settings(grain: Grain) -> PanelSettings {
-    PanelSettings { material: plywood(12.0), board: (2500.0, 1250.0), side: Side::Centred, grain }
+    PanelSettings {
+        material: plywood(12.0),
+        board: (2500.0, 1250.0),
+        side: Side::Centred,
+        grain,
+        edges: Edges::Square,
+    }
 }
 
 fn labels(count: usize) -> Vec<Label> {
@@ -134,6 +140,8 @@ fn settings_that_make_no_sense() {
     let other = samples::flat_grid(2, 3, 100.0);
     assert_eq!(panels(&other, &mesh, &labels(4), &good), Err(PanelError::DifferentMeshes));
 }
+
+mod bevels;
 
 proptest! {
     #[test]

@@ -13,7 +13,16 @@ fn settings(ends: Ends) -> PlankSettings {
         density: Some(450e-9),
         least_bend_radius: None,
     };
-    PlankSettings { material, depth: 120.0, width: 27.0, ends, gap: 0.0, stock: 4000.0 }
+    PlankSettings {
+        material,
+        depth: 120.0,
+        width: 27.0,
+        ends,
+        gap: 0.0,
+        stock: 4000.0,
+        first: None,
+        last: None,
+    }
 }
 
 fn labels(count: usize) -> Vec<Label> {
@@ -91,7 +100,11 @@ fn square_ends_and_gaps() {
 
 #[test]
 fn what_cannot_be_a_plank() {
-    let sharp = [DVec3::ZERO, DVec3::X * 50.0, DVec3::new(-50.0, 0.0, 5.0)];
+    let steep = [DVec3::ZERO, DVec3::X * 50.0, DVec3::new(-50.0, 0.0, 5.0)];
+    let made = make(&steep, &settings(Ends::Mitred));
+    let words = made.refused[0].reason.to_string();
+    assert_eq!(words, "an end would be cut at 88.6deg from square, and 80deg is the most");
+    let sharp = [DVec3::ZERO, DVec3::X * 50.0, DVec3::new(0.0, 0.0, 60.0)];
     let made = make(&sharp, &settings(Ends::Mitred));
     assert!(made.planks.is_empty());
     assert!(matches!(made.refused[0].reason, PlankRefusal::CutsCross { inner_length } if inner_length < 0.0));

@@ -45,7 +45,6 @@ impl Checker<'_> {
         match self.symbol(frame.module, name, callee.span) {
             Some(Symbol::Native(native)) => self.native(frame, native, arguments, callee.span, span),
             Some(Symbol::Item(id)) => self.call_item(frame, id, callee.span, arguments, span),
-            Some(Symbol::Later) => self.later(name, callee.span),
             symbol @ (Some(Symbol::Lost) | None) => {
                 for argument in arguments {
                     self.expr(frame, &argument.value, None);

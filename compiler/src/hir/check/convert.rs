@@ -160,6 +160,12 @@ impl Checker<'_> {
             Type::Bool => Some(Box::new(|diagnostic| {
                 diagnostic.hint("a condition is a comparison such as `a > b`, or `true` or `false`")
             })),
+            Type::Plane => Some(Box::new(|diagnostic| {
+                diagnostic.hint("a plane is a point and what is square to it: `plane((0m, 0m, 0m), z)`")
+            })),
+            Type::Cut => Some(Box::new(|diagnostic| {
+                diagnostic.hint("an end is cut along a plane: `cut(plane((0m, 0m, 0m), z))`; leave it out for a square end")
+            })),
             Type::Size => Some(Box::new(|diagnostic| diagnostic.hint("a size is written `120mm by 27mm`"))),
             Type::Material => {
                 Some(Box::new(|diagnostic| {

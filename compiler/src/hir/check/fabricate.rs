@@ -8,7 +8,7 @@ use crate::hir::schema::{Measure, SchemaKind, SettingType};
 use crate::hir::tree::{Expr, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
-use crate::syntax::{MEASURES, ast};
+use crate::syntax::ast;
 
 impl Checker<'_> {
     pub(super) fn fabricate(&mut self, block: &ast::Fabricate) {
@@ -175,13 +175,8 @@ impl Checker<'_> {
         span: Span,
     ) -> Option<Requirement> {
         let words = &requirement.measure;
-        let Some(measure) = Measure::named(&words.text) else {
-            // What is no measure at all, the parser has said.
-            if MEASURES.contains(&words.text.as_str()) {
-                self.later(&words.text, words.span);
-            }
-            return None;
-        };
+        // What is no measure at all, the parser has said.
+        let measure = Measure::named(&words.text)?;
         if !measure.applies_to(kind) {
             let message = format!("`{}` is no measure of {}", words.text, kind.name());
             let label = format!("not measured on {}", kind.name());

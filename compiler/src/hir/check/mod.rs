@@ -10,6 +10,7 @@ mod fabricate;
 mod fields;
 mod germ;
 mod ifs;
+mod import;
 mod items;
 mod map;
 mod modules;
@@ -29,11 +30,13 @@ mod until;
 use super::index::Index;
 use super::tree::{Expr, ExprKind, Fabricate, Hir, Item, ItemId, ItemKind, LocalId, Test};
 use super::types::Type;
+use super::value::Germ;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::{FileId, Span};
 use crate::syntax::ast;
 use scope::ModuleScope;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// A parsed file on its way to the checker.
 #[derive(Clone, Copy, Debug)]
@@ -48,9 +51,14 @@ pub struct ModuleSource<'a> {
     pub ast: &'a ast::File,
     /// Where it names files it uses, and which: those that could be read.
     pub uses: &'a [(Span, FileId)],
+    /// Where it names meshes, and what they are.
+    pub imports: &'a [(Span, ImportedMesh)],
     /// Whether all of its text is in the tree.
     pub complete: bool,
 }
+
+/// A mesh that a file names: a germ of triangles in space, or why it is none.
+pub type ImportedMesh = Result<Arc<Germ>, Box<Diagnostic>>;
 
 /// What checking gives.
 #[derive(Debug)]

@@ -74,7 +74,6 @@ impl Checker<'_> {
                 self.report(diagnostic.hint(format!("write `{name}({})`", names.join(", "))));
                 error_expr(span)
             }
-            Some(Symbol::Later) => self.later(name, span),
             Some(Symbol::Lost) => error_expr(span),
             None => match self.own_germ(frame, name, span) {
                 Some(germ) => germ,

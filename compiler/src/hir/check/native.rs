@@ -22,6 +22,9 @@ impl Checker<'_> {
         if native == Native::Polygon {
             return self.polygon(frame, arguments, at, span);
         }
+        if native == Native::Import {
+            return self.import_mesh(frame, arguments, at, span);
+        }
         self.native_by_parameters(frame, native, arguments, at, span)
     }
 
@@ -69,7 +72,8 @@ impl Checker<'_> {
             | Native::Polygon
             | Native::Quad
             | Native::Strut
-            | Native::Mesh => self.germ_type(frame, &values),
+            | Native::Mesh
+            | Native::Import => self.germ_type(frame, &values),
             _ => self.native_type(native, &values),
         };
         match ty {
@@ -168,6 +172,8 @@ impl Checker<'_> {
             Native::Tensor => Type::Ifs,
             Native::Sheet => Type::Figure,
             Native::Chain => Type::Curve,
+            Native::Plane => Type::Plane,
+            Native::Cut => Type::Cut,
             Native::Weighted => return self.weighted(&values[0]),
             Native::Translation
             | Native::ScaleTranslation

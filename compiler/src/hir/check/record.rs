@@ -20,7 +20,7 @@ impl Checker<'_> {
         match symbol {
             Symbol::Item(id) => self.refer(span, Target::Declared(self.items[id.0 as usize].name_span)),
             Symbol::Native(native) => self.refer(span, Target::Native(native)),
-            Symbol::Later | Symbol::Lost => {}
+            Symbol::Lost => {}
         }
     }
 

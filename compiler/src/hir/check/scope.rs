@@ -1,9 +1,9 @@
 //! Modules and what they declare and import.
 
-use super::{Checker, Declared, ModuleSource, State, broken};
+use super::{Checker, Declared, ImportedMesh, ModuleSource, State, broken};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::hir::index::{DeclarationKind, Index, Target};
-use crate::hir::native::{LATER, Native, natives};
+use crate::hir::native::{Native, natives};
 use crate::hir::tree::ItemId;
 use crate::hir::types::Type;
 use crate::source::{FileId, Span};
@@ -17,8 +17,6 @@ pub(super) enum Symbol {
     Item(ItemId),
     /// A function of the program.
     Native(Native),
-    /// Something of the language that the program cannot do yet.
-    Later,
     /// A name whose import failed; that has been said.
     Lost,
 }
@@ -35,6 +33,7 @@ pub(super) struct ModuleScope<'a> {
     pub(super) file: FileId,
     pub(super) ast: &'a ast::File,
     pub(super) uses: &'a [(Span, FileId)],
+    pub(super) meshes: &'a [(Span, ImportedMesh)],
     pub(super) complete: bool,
     pub(super) own: BTreeMap<&'a str, ItemId>,
     pub(super) public: BTreeMap<&'a str, Symbol>,
@@ -101,6 +100,7 @@ impl<'a> Checker<'a> {
             file: source.file,
             ast: source.ast,
             uses: source.uses,
+            meshes: source.imports,
             complete: source.complete,
             own: BTreeMap::new(),
             public: BTreeMap::new(),
@@ -110,9 +110,6 @@ impl<'a> Checker<'a> {
         if scope.is_library() {
             for native in natives().filter(|native| native.module == source.name) {
                 scope.public.insert(native.name, Symbol::Native(native.native));
-            }
-            for (_, name) in LATER.iter().filter(|(owner, _)| *owner == source.name) {
-                scope.public.insert(name, Symbol::Later);
             }
         }
         for item in &source.ast.items {

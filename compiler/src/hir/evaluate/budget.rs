@@ -28,6 +28,11 @@ impl Evaluator<'_> {
         self.overrides.limits
     }
 
+    /// Whether surfaces are left as designed where they would be planarized.
+    pub fn leaves_unplanarized(&self) -> bool {
+        self.overrides.leave_unplanarized
+    }
+
     /// Counts a step at an expression.
     pub(super) fn step(&mut self, span: Span) -> Outcome<()> {
         self.spend(1, span)

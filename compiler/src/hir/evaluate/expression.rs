@@ -34,6 +34,10 @@ impl Evaluator<'_> {
                 let arguments = self.all(frame, arguments)?;
                 Ok(Value::Ifs(Arc::new(IfsValue::Instance(Instance { ifs: *id, arguments }))))
             }
+            ExprKind::Imported(mesh) => {
+                self.spend(mesh.vertices.len() as u64, span)?;
+                Ok(Value::Germ(mesh.clone()))
+            }
             ExprKind::OwnGerm(germ) => Ok(Value::OwnGerm(*germ)),
             ExprKind::SelfIfs(_) => {
                 let own = frame.own_ifs.clone().ok_or(Stop::Reported)?;
@@ -192,9 +196,16 @@ pub fn words(scalar: &Scalar, ty: &Type) -> String {
 }
 
 /// A quantity in inner units with the unit of its dimension, for messages: at most three decimals, six for plain numbers.
+/// Areas of less than a square decimetre are told in mm2.
 pub fn quantity_words(value: f64, dimension: Dimension) -> String {
-    let (unit, worth) = dimension.display_unit();
     let decimals = if dimension == Dimension::NUMBER { 6 } else { 3 };
+    quantity_words_to(value, dimension, decimals)
+}
+
+/// The same with at most so many decimals.
+pub fn quantity_words_to(value: f64, dimension: Dimension, decimals: usize) -> String {
+    let small_area = dimension == Dimension::AREA && value != 0.0 && value.abs() < 1e4;
+    let (unit, worth) = if small_area { ("mm2", 1.0) } else { dimension.display_unit() };
     let mut digits = format!("{:.decimals$}", value / worth);
     if digits.contains('.') {
         digits.truncate(digits.trim_end_matches('0').trim_end_matches('.').len());

@@ -18,6 +18,7 @@ mod native;
 mod operator;
 mod overrides;
 mod placement;
+mod plane;
 mod points;
 mod swept;
 mod symbolic;
@@ -28,7 +29,7 @@ mod vectors;
 
 pub use boundary::InstanceBoundary;
 pub use budget::MOST_ELEMENTS;
-pub use expression::{quantity_words, words};
+pub use expression::{quantity_words, quantity_words_to, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
 pub use limits::Limits;
 pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};

@@ -66,6 +66,8 @@ impl Evaluator<'_> {
                 | Native::Extrusion,
                 values,
             ) => return self.swept(native, values, arguments, span),
+            (Native::Plane, [point, normal]) => return self.plane(point, normal, arguments),
+            (Native::Cut, [Value::Plane(plane)]) => return Ok(Value::Cut(plane.clone())),
             (Native::Len, [Value::List(list)]) => Scalar::integer(list.len() as i64),
             (Native::Sum, [Value::List(list)]) if matches!(list.first(), Some(Value::Combination(_))) => {
                 return self.sum_of_combinations(list, span);

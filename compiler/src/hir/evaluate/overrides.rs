@@ -23,6 +23,8 @@ pub struct Overrides {
     pub values: BTreeMap<String, Scalar>,
     /// A figure whose levels are read higher or lower by so much.
     pub level_shift: Option<(String, i32)>,
+    /// Whether surfaces are left as designed where they would be planarized. For looking for remedies.
+    pub leave_unplanarized: bool,
     /// What the design may ask for.
     pub limits: Limits,
 }

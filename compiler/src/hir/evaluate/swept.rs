@@ -156,7 +156,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn direction(&mut self, value: &Value, span: Span) -> Outcome<[f64; 3]> {
+    pub(super) fn direction(&mut self, value: &Value, span: Span) -> Outcome<[f64; 3]> {
         let Value::Combination(vector) = value else { return Err(Stop::Reported) };
         let vector = self.in_space(vector, span)?;
         let length = length(vector);
@@ -168,7 +168,7 @@ impl Evaluator<'_> {
         Ok(vector)
     }
 
-    fn in_space(&mut self, point: &Combination, span: Span) -> Outcome<[f64; 3]> {
+    pub(super) fn in_space(&mut self, point: &Combination, span: Span) -> Outcome<[f64; 3]> {
         let (point, dimension) = self.coordinates_of(point)?;
         if dimension != 3 {
             let message = "three coordinates are needed here, but this has two";

@@ -59,6 +59,12 @@ pub(super) const DOCS: &[(Native, &str, &str)] = &[
         "Surface",
         "use std.curves (bezier2)\nuse std.surfaces (revolution)\n\nlet profile = bezier2 on ((3m, 0m, 0m), (3m, 0m, 2m), (1m, 0m, 3m)) at level 3\nfigure dome = revolution(profile, point: (0m, 0m, 0m), direction: z, segments: 16)",
     ),
+    (Native::Plane, "Plane", "let ground = plane((0m, 0m, 0m), z)"),
+    (
+        Native::Cut,
+        "Cut",
+        "use std.curves (bezier2)\nuse std.materials (sawn_spruce)\n\nlet ground = plane((0m, 0m, 0m), z)\nfigure rib = bezier2 on ((0m, 0m, 0m), (2m, 0m, 3m), (4m, 0m, 0m)) at level 2\nfabricate rib as planks {\n    material: sawn_spruce\n    section:  120mm by 40mm\n    first:    cut(ground)\n    last:     cut(ground)\n}",
+    ),
     (
         Native::Extrusion,
         "Surface",

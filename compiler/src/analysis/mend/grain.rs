@@ -1,0 +1,58 @@
+//! Boards whose grain runs another way.
+
+use super::Remedy;
+use crate::analysis::fabrication::{Elements, Fabrication, PanelsMade};
+use crate::analysis::measures;
+use crate::analysis::requirements::{LimitValue, RequirementResult};
+use crate::fabricate::panel::{Grain, PanelSettings, Panels, panels};
+
+/// At most so many boards are made once more.
+const MOST_BOARDS: usize = 20_000;
+
+/// The other directions of the grain, with the words for them.
+pub(super) fn others(made: &PanelsMade) -> impl Iterator<Item = (Grain, &'static str)> {
+    let now = made.settings.grain;
+    [(Grain::U, "u"), (Grain::V, "v"), (Grain::Free, "free")]
+        .into_iter()
+        .filter(move |(grain, _)| *grain != now)
+}
+
+/// The same boards with their grain in another direction; `None` where there are too many of them.
+pub(super) fn with_grain(made: &PanelsMade, grain: Grain) -> Option<Panels> {
+    if made.panels.len() + made.refused.len() > MOST_BOARDS {
+        return None;
+    }
+    let settings = PanelSettings { grain, ..made.settings.clone() };
+    let mut all = Panels::default();
+    for figure in &made.figures {
+        let done = panels(&figure.designed, &figure.built, &figure.labels, &settings).ok()?;
+        all.panels.extend(done.panels);
+        all.refused.extend(done.refused);
+    }
+    Some(all)
+}
+
+/// The grain with which boards bend as far as they must.
+pub(super) fn turned(fabrication: &Fabrication, requirement: &RequirementResult) -> Option<Remedy> {
+    let Elements::Panels(made) = &fabrication.elements else { return None };
+    if !matches!(requirement.limit, LimitValue::Grain(_)) {
+        return None;
+    }
+    let mut best: Option<(usize, &str, usize)> = None;
+    for (grain, name) in others(made).filter(|(grain, _)| *grain != Grain::Free) {
+        let Some(turned) = with_grain(made, grain) else { continue };
+        let turned = PanelsMade { panels: turned.panels, ..made.clone() };
+        let result = measures::measure(&Elements::Panels(turned), requirement.measure, &requirement.limit);
+        if best.is_none_or(|(failing, _, _)| result.failing < failing) {
+            best = Some((result.failing, name, result.total));
+        }
+    }
+    let (failing, name, total) = best?;
+    if failing == 0 {
+        return Some(Remedy::mends(format!(
+            "with `grain: {name}` all {total} boards bend as far as they must"
+        )));
+    }
+    let fewer = failing < requirement.result.failing;
+    fewer.then(|| Remedy::falls_short(format!("with `grain: {name}` {failing} of {total} would fail")))
+}

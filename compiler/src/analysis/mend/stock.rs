@@ -1,0 +1,61 @@
+//! The raw board or bar that is large enough, and the grain with which boards fit.
+
+use super::Remedy;
+use super::grain::{others, with_grain};
+use crate::analysis::fabrication::{Elements, Fabrication, PanelsMade};
+use crate::fabricate::panel::{Grain, PanelRefusal};
+use crate::fabricate::plank::PlankRefusal;
+use crate::hir::dimension::Dimension;
+use crate::hir::evaluate::quantity_words;
+
+/// What would let every element be cut from the raw boards or bars.
+pub(super) fn remedies(fabrication: &Fabrication) -> Vec<Remedy> {
+    let mut remedies = Vec::new();
+    match &fabrication.elements {
+        Elements::Panels(made) => {
+            remedies.extend(larger_board(made));
+            remedies.extend(turned(made));
+        }
+        Elements::Planks(made) => {
+            let needed = made.refused.iter().filter_map(|refused| match refused.reason {
+                PlankRefusal::TooLong { needed, .. } => Some(needed),
+                _ => None,
+            });
+            let needed = quantity_words(needed.fold(0.0, f64::max).ceil(), Dimension::LENGTH);
+            remedies.push(Remedy::mends(format!("bars of {needed} are long enough for all of them")));
+        }
+    }
+    remedies
+}
+
+/// A raw board that holds all of them as they lie, in whole millimetres.
+fn larger_board(made: &PanelsMade) -> Option<Remedy> {
+    let (mut length, mut width) = made.settings.board;
+    for refused in &made.refused {
+        let PanelRefusal::TooLarge { size, .. } = refused.reason else { continue };
+        // Where the grain is free a board may lie across.
+        let (x, y) = match made.settings.grain {
+            Grain::Free if (size.x < size.y) != (length < width) => (size.y, size.x),
+            _ => (size.x, size.y),
+        };
+        (length, width) = (length.max(x.ceil()), width.max(y.ceil()));
+    }
+    let [length, width] = [length, width].map(|size| quantity_words(size, Dimension::LENGTH));
+    let grain = match made.settings.grain {
+        Grain::Free => "",
+        Grain::U | Grain::V => ", its grain along the first of the two",
+    };
+    Some(Remedy::mends(format!("a raw board of {length} by {width} is large enough for all of them{grain}")))
+}
+
+/// The grain with which all of them fit the raw boards there are.
+fn turned(made: &PanelsMade) -> Option<Remedy> {
+    let too_large = |refused: &crate::fabricate::panel::RefusedPanel| {
+        matches!(refused.reason, PanelRefusal::TooLarge { .. })
+    };
+    others(made)
+        .find(|(grain, _)| {
+            with_grain(made, *grain).is_some_and(|turned| !turned.refused.iter().any(too_large))
+        })
+        .map(|(_, name)| Remedy::mends(format!("with `grain: {name}` they fit the raw boards there are")))
+}
