@@ -44,6 +44,8 @@ pub enum Command {
     Doc(Doc),
     /// Explain a diagnostic code
     Explain(Explain),
+    /// Serve editors: the language server on standard input and output
+    Lsp,
 }
 
 /// `ifs check`.
@@ -231,7 +233,9 @@ impl Cli {
             Command::Build(build) => build.settings.as_slice(),
             Command::Test(test) => test.settings.as_slice(),
             Command::Params(params) => params.settings.as_slice(),
-            Command::Fmt(_) | Command::Verify(_) | Command::Doc(_) | Command::Explain(_) => &[],
+            Command::Fmt(_) | Command::Verify(_) | Command::Doc(_) | Command::Explain(_) | Command::Lsp => {
+                &[]
+            }
         };
         for (index, setting) in settings.iter().enumerate() {
             if settings[..index].iter().any(|earlier| earlier.name == setting.name) {

@@ -11,6 +11,12 @@ pub fn out() -> Option<PathBuf> {
     std::env::var_os("IFS_OUT").filter(|value| !value.is_empty()).map(PathBuf::from)
 }
 
+/// Where programs keep what they can make again: `XDG_CACHE_HOME`, else `.cache` at home; the system's own place elsewhere.
+pub fn cache() -> Option<PathBuf> {
+    let named = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    named("XDG_CACHE_HOME").or_else(|| named("LOCALAPPDATA")).or_else(|| Some(named("HOME")?.join(".cache")))
+}
+
 /// The parameters that are set, each with its value and the words for where it comes from. A value that is not UTF-8 is
 /// none of the language.
 pub fn parameters() -> BTreeMap<String, (String, String)> {

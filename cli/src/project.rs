@@ -55,6 +55,15 @@ impl Project {
         Ok(project)
     }
 
+    /// The same without a word: an `ifs.toml` with errors sets what could be understood of it.
+    pub fn silent(named: &Path) -> Option<Project> {
+        let (mut project, marked) = Project::of(named)?;
+        if marked {
+            project.read_settings();
+        }
+        Some(project)
+    }
+
     /// The project, and whether an `ifs.toml` marks it; `None` where a path is not UTF-8.
     fn of(named: &Path) -> Option<(Project, bool)> {
         let stdin = named == Path::new("-");

@@ -67,8 +67,8 @@ pub fn library_docs() -> Vec<ModuleDocs> {
 fn module(name: &'static str, text: &str) -> ModuleDocs {
     let file = parse(&Source::new(FileId(0), name, text)).ast;
     let declared =
-        file.items.iter().filter(|item| item.public.is_some()).filter_map(|item| declared(item, text));
-    let natives = natives().filter(|native| native.module == name).map(native);
+        file.items.iter().filter(|item| item.public.is_some()).filter_map(|item| item_docs(item, text));
+    let natives = natives().filter(|native| native.module == name).map(native_item_docs);
     let mut items: Vec<ItemDocs> = declared.chain(natives).collect();
     items.sort_by(|a, b| a.name.cmp(&b.name));
     ModuleDocs { name, docs: file.docs.iter().map(|line| unindented(line)).collect(), items }
@@ -79,7 +79,8 @@ fn unindented(line: &str) -> String {
     line.strip_prefix(' ').unwrap_or(line).trim_end().to_owned()
 }
 
-fn declared(item: &ast::Item, text: &str) -> Option<ItemDocs> {
+/// What is said of an item of a file with this text; nothing of what has no name.
+pub fn item_docs(item: &ast::Item, text: &str) -> Option<ItemDocs> {
     let until = |end: u32| text.get(item.span.start as usize..end as usize).unwrap_or("").trim();
     let whole = until(item.span.end);
     let before = |value: &ast::Expr| until(value.span.start).trim_end_matches('=');
@@ -100,7 +101,8 @@ fn declared(item: &ast::Item, text: &str) -> Option<ItemDocs> {
     })
 }
 
-fn native(declaration: &NativeDeclaration) -> ItemDocs {
+/// What is said of a function of the program.
+pub fn native_item_docs(declaration: &NativeDeclaration) -> ItemDocs {
     let parameters = declaration.parameters.iter().map(|parameter| {
         let optional = if parameter.required { "" } else { " (may be left out)" };
         format!("{}: {}{optional}", parameter.name, takes(parameter.takes))

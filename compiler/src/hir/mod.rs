@@ -15,9 +15,10 @@ pub mod scalar;
 pub mod schema;
 pub mod size;
 pub mod tree;
+pub mod type_names;
 pub mod types;
 pub mod value;
 
 pub use check::{Checked, ImportedMesh, ModuleSource, check, check_indexed};
 pub use library::{LIBRARY, library_text};
-pub use library_docs::{ItemDocs, ModuleDocs, library_docs, library_page};
+pub use library_docs::{ItemDocs, ModuleDocs, item_docs, library_docs, library_page, native_item_docs};

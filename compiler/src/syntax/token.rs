@@ -56,6 +56,11 @@ macro_rules! token_kinds {
                 }
             }
 
+            /// All reserved words, in the order of the table.
+            pub fn keywords() -> impl Iterator<Item = TokenKind> {
+                [$(TokenKind::$keyword),*].into_iter()
+            }
+
             /// Whether it is a reserved word.
             pub fn is_keyword(self) -> bool {
                 matches!(self, $(TokenKind::$keyword)|*)

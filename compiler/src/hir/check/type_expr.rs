@@ -4,30 +4,10 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::diagnostic::{Code, Diagnostic, closest};
 use crate::hir::dimension::Dimension;
-use crate::hir::schema::ChoiceKind;
 use crate::hir::tree::ItemKind;
-use crate::hir::types::{PointSpace, Type};
+use crate::hir::type_names::{PLAIN, type_name};
+use crate::hir::types::Type;
 use crate::syntax::ast;
-
-/// Types with a name of their own, beside dimensions and records.
-const PLAIN: &[(&str, Type)] = &[
-    ("Int", Type::Int),
-    ("Bool", Type::Bool),
-    ("Text", Type::Text),
-    ("Point", Type::Point(PointSpace::Any)),
-    ("Vector", Type::Vector(PointSpace::Any)),
-    ("Map", Type::Map(PointSpace::Any)),
-    ("Plane", Type::Plane),
-    ("Cut", Type::Cut),
-    ("Ifs", Type::Ifs),
-    ("Germ", Type::Germ),
-    ("Curve", Type::Curve),
-    ("Surface", Type::Surface),
-    ("Figure", Type::Figure),
-    ("Dialect", Type::Choice(ChoiceKind::Dialect)),
-    ("CutDirection", Type::Choice(ChoiceKind::CutDirection)),
-    ("ZZero", Type::Choice(ChoiceKind::ZZero)),
-];
 
 impl Checker<'_> {
     pub(super) fn type_expr(&mut self, module: usize, ty: &ast::TypeExpr) -> Type {
@@ -104,38 +84,7 @@ impl Checker<'_> {
 
     /// The name of a type as it is written, or would be.
     pub(super) fn type_name(&self, ty: &Type) -> String {
-        match ty {
-            Type::Quantity(dimension) => dimension.name(),
-            Type::Point(_) => "Point".to_owned(),
-            Type::Vector(_) => "Vector".to_owned(),
-            Type::Map(_) => "Map".to_owned(),
-            Type::WeightedSum(_) => "weighted sum of points".to_owned(),
-            Type::Weighted(_) => "weighted point".to_owned(),
-            Type::List(element) => format!("[{}]", self.type_name(element)),
-            Type::IntRange => "range of whole numbers".to_owned(),
-            Type::Size => "size (length by length)".to_owned(),
-            Type::Germ => "germ".to_owned(),
-            Type::Record(id) => self.items[id.0 as usize].name.clone(),
-            Type::Choice(kind) => {
-                let words: Vec<String> = kind.words().iter().map(|word| format!("`{}`", word.name)).collect();
-                words.join(" or ")
-            }
-            Type::Settings(kind) => format!("settings of {}", kind.name()),
-            Type::Material => "material".to_owned(),
-            Type::Error => "unknown".to_owned(),
-            Type::Int
-            | Type::Bool
-            | Type::Text
-            | Type::Ifs
-            | Type::Curve
-            | Type::Surface
-            | Type::Figure
-            | Type::Plane
-            | Type::Cut => {
-                let plain = PLAIN.iter().find(|(_, plain)| plain == ty);
-                plain.map_or("", |(name, _)| *name).to_owned()
-            }
-        }
+        type_name(&self.items, ty)
     }
 
     /// Whether a record can say what a board is made of: it has a thickness, or a density.

@@ -1,0 +1,86 @@
+//! `ifs lsp`: the language server on standard input and output, with the disk as this program sees it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ifs_compiler::hir::library_text;
+use ifs_lsp::{Project as Served, Projects};
+
+use crate::environment;
+use crate::exit::Exit;
+use crate::output;
+use crate::project::Project;
+
+/// How many designs of a project are looked for, and how deep.
+const MOST_DESIGNS: usize = 2_000;
+const MOST_FOLDERS: usize = 20;
+
+/// Serves until the client is done.
+pub fn lsp() -> Exit {
+    match ifs_lsp::serve(Arc::new(Disk)) {
+        Ok(true) => Exit::Good,
+        // The protocol's way to say that the client left without a word.
+        Ok(false) => Exit::Design,
+        Err(error) => {
+            output::message(&format!("error: the language server cannot start: {error}\n"));
+            Exit::InputOutput
+        }
+    }
+}
+
+/// The disk.
+struct Disk;
+
+impl Projects for Disk {
+    fn project(&self, path: &Path) -> Option<Served> {
+        let project = Project::silent(path)?;
+        let overrides = project.overrides(&[]);
+        Some(Served {
+            root: project.disk.root.clone(),
+            design: project.disk.design.clone(),
+            files: Arc::new(project.disk),
+            overrides,
+        })
+    }
+
+    fn designs(&self, folder: &Path) -> Vec<PathBuf> {
+        let mut found = Vec::new();
+        below(folder, 0, &mut found);
+        found.sort();
+        found
+    }
+
+    fn library(&self, module: &str) -> Option<PathBuf> {
+        let folder = environment::cache()?.join("ifs").join(env!("CARGO_PKG_VERSION")).join("std");
+        let (path, text) = (folder.join(module).with_extension("ifs"), library_text(module)?);
+        if fs::read_to_string(&path).is_ok_and(|there| there == text) {
+            return Some(path);
+        }
+        fs::create_dir_all(&folder).ok()?;
+        // Two servers may write it at once: each writes its own and puts it there whole.
+        let draft = folder.join(format!("{module}.{}.part", std::process::id()));
+        fs::write(&draft, text).and_then(|()| fs::rename(&draft, &path)).ok()?;
+        Some(path)
+    }
+}
+
+/// The designs of a folder and those in it; what is built and what is hidden is none.
+fn below(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten() {
+        if found.len() >= MOST_DESIGNS {
+            return;
+        }
+        let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());
+        let Ok(kind) = entry.file_type() else { continue };
+        if kind.is_dir() {
+            let passed = name.starts_with('.') || name == "out" || name == "target" || name == "node_modules";
+            if !passed && depth < MOST_FOLDERS {
+                below(&path, depth + 1, found);
+            }
+        } else if kind.is_file() && path.extension().is_some_and(|ending| ending == "ifs") {
+            found.push(path);
+        }
+    }
+}

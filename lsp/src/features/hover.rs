@@ -1,0 +1,214 @@
+//! What stands at a place, in words: how it is declared, its type, what is said of it, and what was made of it.
+
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::hir::index::{Declaration, DeclarationKind, Target};
+use ifs_compiler::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
+use ifs_compiler::hir::tree::{ItemId, ItemKind};
+use ifs_compiler::hir::type_names::type_name;
+use ifs_compiler::hir::types::Type;
+use ifs_compiler::hir::{ItemDocs, item_docs, library_docs, native_item_docs};
+use ifs_compiler::outputs::parameter_texts;
+use ifs_compiler::source::{FileId, Span};
+use ifs_compiler::syntax::ast;
+
+/// Words on a place, as Markdown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Hover {
+    pub(crate) span: Span,
+    pub(crate) markdown: String,
+}
+
+/// What stands at a place; `made` is the design as it was last worked out.
+pub(crate) fn hover(
+    analysis: &Analysis,
+    made: Option<&Analysis>,
+    file: FileId,
+    offset: u32,
+) -> Option<Hover> {
+    if let Some(name) = analysis.index.name_at(file, offset)
+        && let Some(markdown) = target(analysis, made, name.target)
+    {
+        return Some(Hover { span: name.span, markdown });
+    }
+    let (span, ty) = analysis.index.type_at(file, offset)?;
+    Some(Hover { span, markdown: code(&type_name(&analysis.hir.items, ty)) })
+}
+
+fn target(analysis: &Analysis, made: Option<&Analysis>, target: Target) -> Option<String> {
+    match target {
+        Target::Declared(span) => declared(analysis, made, analysis.index.declaration(span)?),
+        Target::Module(file) => module(analysis, file),
+        Target::Native(native) => Some(documented(&native_item_docs(native.declaration()))),
+        Target::NativeParameter(native, place) => {
+            let declaration = native.declaration();
+            Some(code(&format!(
+                "{}: parameter of {}",
+                declaration.parameters.get(place)?.name,
+                declaration.name
+            )))
+        }
+        Target::Setting(kind, name) => setting(analysis, kind, name),
+        Target::Measure(measure) => Some(of_measure(measure)),
+        Target::Choice(kind, place) => choice(kind, place),
+    }
+}
+
+fn code(text: &str) -> String {
+    format!("```ifs\n{text}\n```")
+}
+
+fn documented(docs: &ItemDocs) -> String {
+    let said = docs.docs.join("\n");
+    if said.trim().is_empty() {
+        code(&docs.signature)
+    } else {
+        format!("{}\n---\n{said}", code(&docs.signature))
+    }
+}
+
+fn declared(analysis: &Analysis, made: Option<&Analysis>, declaration: &Declaration) -> Option<String> {
+    let typed = |word: &str| {
+        let ty = match declaration.ty {
+            Type::Error => String::new(),
+            ref ty => format!(": {}", type_name(&analysis.hir.items, ty)),
+        };
+        code(&format!("{word} {}{ty}", declaration.name).trim_start().to_owned())
+    };
+    Some(match declaration.kind {
+        DeclarationKind::Item(id) => item(analysis, made, declaration, id)?,
+        DeclarationKind::Field(owner, place) => {
+            let mut text = typed("");
+            let owner_item = analysis.hir.item(owner);
+            let what = if matches!(owner_item.kind, ItemKind::Record(_)) { "field" } else { "parameter" };
+            text += &format!("\n{what} of `{}`", owner_item.name);
+            if let Some(docs) = field_docs(analysis, declaration.span, place) {
+                text += &format!("\n\n---\n{docs}");
+            }
+            text
+        }
+        DeclarationKind::ControlPoint => format!("{}\ncontrol point", typed("")),
+        DeclarationKind::Local => typed("let"),
+        DeclarationKind::Running => typed("for"),
+        DeclarationKind::Transform(owner) => {
+            format!(
+                "{}\ntransform of `{}`",
+                code(&line_of(analysis, declaration.span)),
+                analysis.hir.item(owner).name
+            )
+        }
+        DeclarationKind::Boundary(owner) => {
+            format!(
+                "{}\nboundary of `{}`",
+                code(&line_of(analysis, declaration.span)),
+                analysis.hir.item(owner).name
+            )
+        }
+    })
+}
+
+/// The line on which a name stands, without what is around it.
+fn line_of(analysis: &Analysis, span: Span) -> String {
+    let Some(source) = analysis.sources.get(span.file) else { return String::new() };
+    let line = source.lines.bytes(span.start).line;
+    let start = source.lines.line_start(line).unwrap_or(0);
+    let end = source.lines.line_start(line + 1).unwrap_or(source.text.len() as u32);
+    source.slice(Span::new(span.file, start, end)).trim().to_owned()
+}
+
+fn item(
+    analysis: &Analysis,
+    made: Option<&Analysis>,
+    declaration: &Declaration,
+    id: ItemId,
+) -> Option<String> {
+    let docs = ast_item(analysis, declaration).unwrap_or_else(|| ItemDocs {
+        name: declaration.name.clone(),
+        signature: declaration.name.clone(),
+        docs: analysis.hir.item(id).docs.clone(),
+    });
+    let mut docs = docs;
+    let written_type = docs.signature.contains(':') || docs.signature.contains('(');
+    if !written_type && matches!(analysis.hir.item(id).kind, ItemKind::Let(_) | ItemKind::Figure(_)) {
+        docs.signature += &format!(": {}", type_name(&analysis.hir.items, &declaration.ty));
+    }
+    let mut text = documented(&docs);
+    if let Some(facts) = made.and_then(|made| facts(made, &declaration.name)) {
+        text += &format!("\n\n---\n{facts}");
+    }
+    Some(text)
+}
+
+/// What is said where an item is declared, in the project or in the library.
+fn ast_item(analysis: &Analysis, declaration: &Declaration) -> Option<ItemDocs> {
+    let source = analysis.sources.get(declaration.span.file)?;
+    if let Some(module) = source.path.strip_prefix("std.").filter(|_| analysis.hir.is_library(source.id)) {
+        let docs = library_docs().into_iter().find(|docs| docs.name == module)?;
+        return docs.items.into_iter().find(|item| item.name == declaration.name);
+    }
+    let file = analysis.files.iter().find(|file| file.file == declaration.span.file)?;
+    let here = |item: &&ast::Item| {
+        item.span.start <= declaration.span.start && declaration.span.end <= item.span.end
+    };
+    item_docs(file.parse.ast.items.iter().find(here)?, &source.text)
+}
+
+fn field_docs(analysis: &Analysis, span: Span, place: usize) -> Option<String> {
+    let file = analysis.files.iter().find(|file| file.file == span.file)?;
+    let here = |item: &&ast::Item| item.span.start <= span.start && span.end <= item.span.end;
+    let fields = match &file.parse.ast.items.iter().find(here)?.kind {
+        ast::ItemKind::Function(function) => &function.parameters,
+        ast::ItemKind::Record(record) => &record.fields,
+        ast::ItemKind::Ifs(ifs) => &ifs.parameters,
+        _ => return None,
+    };
+    let docs: Vec<&str> = fields.get(place)?.docs.iter().map(|line| line.trim()).collect();
+    (!docs.is_empty()).then(|| docs.join("\n"))
+}
+
+/// What the design made of a parameter or a figure.
+fn facts(made: &Analysis, name: &str) -> Option<String> {
+    if let Some((_, value)) = parameter_texts(made).into_iter().find(|(parameter, _)| parameter == name) {
+        return Some(format!("value `{value}`"));
+    }
+    let lowered = made.plan.as_ref()?;
+    let counted = lowered.plan.figures().iter().zip(&lowered.counts);
+    let figures: Vec<_> = counted.filter(|(figure, _)| figure.name == name).collect();
+    let (first, _) = figures.first()?;
+    let elements: u64 = figures.iter().map(|(_, count)| count.elements).sum();
+    let mut text = match figures.len() {
+        1 => format!("{elements} elements at level {}", first.shape.level_words()),
+        several => format!("{several} figures, {elements} elements"),
+    };
+    if figures.iter().all(|(figure, _)| figure.shape.planar_by_construction()) {
+        text += ", planar by construction";
+    }
+    Some(text)
+}
+
+fn module(analysis: &Analysis, file: FileId) -> Option<String> {
+    let source = analysis.sources.get(file)?;
+    let docs = match source.path.strip_prefix("std.") {
+        Some(name) => library_docs().into_iter().find(|docs| docs.name == name)?.docs,
+        None => analysis.files.iter().find(|project| project.file == file)?.parse.ast.docs.clone(),
+    };
+    Some(format!("{}\n---\n{}", code(&source.path), docs.join("\n")))
+}
+
+fn setting(analysis: &Analysis, kind: SchemaKind, name: &str) -> Option<String> {
+    let setting = kind.setting(name)?;
+    let ty = match &setting.ty {
+        SettingType::Of(ty) => type_name(&analysis.hir.items, ty),
+        SettingType::Library(record) => (*record).to_owned(),
+    };
+    let needed = if setting.required { "needed" } else { "may be left out" };
+    Some(format!("{}\n---\n{}; {needed}", code(&format!("{name}: {ty}")), setting.doc))
+}
+
+fn of_measure(measure: Measure) -> String {
+    code(&format!("require {}: {}", measure.words(), measure.dimension().name()))
+}
+
+fn choice(kind: ChoiceKind, place: usize) -> Option<String> {
+    let word = kind.words().get(place)?;
+    Some(code(word.name))
+}

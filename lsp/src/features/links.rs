@@ -1,0 +1,16 @@
+//! The files that `use` lines name, as links.
+
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::hir::index::Target;
+use ifs_compiler::source::{FileId, Span};
+
+/// Each name of a module in a file, and the file it leads to.
+pub(crate) fn links(analysis: &Analysis, file: FileId) -> Vec<(Span, FileId)> {
+    let names = analysis.index.references.iter().filter(|reference| reference.span.file == file);
+    names
+        .filter_map(|reference| match reference.target {
+            Target::Module(to) => Some((reference.span, to)),
+            _ => None,
+        })
+        .collect()
+}

@@ -1,0 +1,11 @@
+//! What an editor can ask, one file each: pure functions of an analysis and a place, giving plain data. No message format
+//! and no document lives here.
+
+pub(crate) mod definition;
+pub(crate) mod format;
+pub(crate) mod hover;
+pub(crate) mod links;
+pub(crate) mod references;
+pub(crate) mod rename;
+pub(crate) mod symbols;
+pub(crate) mod words;

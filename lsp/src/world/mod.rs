@@ -1,0 +1,15 @@
+//! The open documents and what the compiler knows of them. One thread owns them and takes messages in order; readers get
+//! snapshots. No message format lives here.
+
+pub(crate) mod background;
+pub(crate) mod documents;
+pub(crate) mod edits;
+pub(crate) mod overlay;
+pub(crate) mod owner;
+pub(crate) mod places;
+pub(crate) mod projects;
+pub(crate) mod snapshot;
+
+pub(crate) use documents::Encoding;
+pub(crate) use owner::{Message, start};
+pub(crate) use snapshot::Snapshot;

@@ -1,0 +1,42 @@
+//! What the server must know of the disk: which project a file belongs to, and where the library can be read.
+
+use std::fmt::Debug;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ifs_compiler::hir::evaluate::Overrides;
+use ifs_compiler::source::Files;
+
+/// The disk, as the program that starts the server sees it.
+pub trait Projects: Send + Sync {
+    /// The project of a design; `None` where its path cannot be one.
+    fn project(&self, path: &Path) -> Option<Project>;
+
+    /// Every design below a folder, in order.
+    fn designs(&self, folder: &Path) -> Vec<PathBuf>;
+
+    /// Where a module of the library can be read as a file: `curves`.
+    fn library(&self, module: &str) -> Option<PathBuf>;
+}
+
+/// A design in its project.
+#[derive(Clone)]
+pub struct Project {
+    /// The folder of the project, without links in it.
+    pub root: PathBuf,
+    /// The design's path from the root, with `/`.
+    pub design: String,
+    /// The files.
+    pub files: Arc<dyn Files + Send + Sync>,
+    /// What is set from outside.
+    pub overrides: Overrides,
+}
+
+impl Debug for Project {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        out.debug_struct("Project")
+            .field("root", &self.root)
+            .field("design", &self.design)
+            .finish_non_exhaustive()
+    }
+}

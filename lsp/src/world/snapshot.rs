@@ -1,0 +1,35 @@
+//! What a reader gets: a document at one moment with what the compiler knows of it.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::diagnostic::Diagnostic;
+
+use super::documents::Encoding;
+use super::overlay::Open;
+use super::places::Places;
+
+/// A document read with its names and types, and what was last worked out of it.
+#[derive(Clone)]
+pub(crate) struct Snapshot {
+    /// Its path without links.
+    pub(crate) path: PathBuf,
+    /// Read with its index; its own file is the root.
+    pub(crate) analysis: Arc<Analysis>,
+    /// The last that was worked out without errors.
+    pub(crate) made: Option<Made>,
+    /// What is wrong with it and worked out so far.
+    pub(crate) diagnostics: Arc<Vec<Diagnostic>>,
+    pub(crate) places: Places,
+    pub(crate) open: Arc<Open>,
+    pub(crate) encoding: Encoding,
+}
+
+/// A design that was worked out to its boards.
+#[derive(Clone)]
+pub(crate) struct Made {
+    pub(crate) analysis: Arc<Analysis>,
+    /// Whether it is of the text as it is now.
+    pub(crate) current: bool,
+}
