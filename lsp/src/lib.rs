@@ -12,6 +12,7 @@ use std::time::Duration;
 
 use tower_lsp::{LspService, Server};
 
+pub use features::fixes::{Mend, mends};
 pub use world::projects::{Project, Projects};
 
 /// How many requests may be under way; cancelling needs a free place.
