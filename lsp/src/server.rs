@@ -1,7 +1,7 @@
 //! The protocol's requests, answered from snapshots. Each handler hands its question to the owner of the documents before
 //! it waits for anything, so that questions and changes keep their order.
 
-pub(crate) mod actions;
+mod actions;
 mod answers;
 mod publish;
 

@@ -47,15 +47,26 @@ impl Fix {
         if let Some(said) = &self.said {
             return said.clone();
         }
-        let words = self.edits.iter().map(|edit| {
-            let old = sources.get(edit.span.file).map_or("", |source| source.slice(edit.span));
-            match (shown(old), shown(&edit.replacement)) {
-                (old, new) if old.is_empty() => format!("insert `{new}`"),
-                (old, new) if new.is_empty() => format!("remove `{old}`"),
-                (old, new) => format!("replace `{old}` with `{new}`"),
-            }
-        });
-        words.collect::<Vec<_>>().join(", ")
+        self.edits.iter().map(|edit| words(edit, sources)).collect::<Vec<_>>().join(", ")
+    }
+}
+
+fn words(edit: &Edit, sources: &SourceMap) -> String {
+    let source = sources.get(edit.span.file);
+    let old = source.map_or("", |source| source.slice(edit.span));
+    // What is glued to a word changes that word: `27` becomes `27mm`.
+    let start = edit.span.start as usize;
+    let before = source.and_then(|source| source.text.get(..start)).unwrap_or("");
+    let part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.');
+    let word = &before[before.trim_end_matches(part).len()..];
+    if old.is_empty() && !word.is_empty() && edit.replacement.starts_with(part) {
+        return format!("replace `{word}` with `{word}{}`", edit.replacement);
+    }
+    match (shown(old), shown(&edit.replacement)) {
+        (old, new) if old.is_empty() => format!("insert `{new}`"),
+        (old, new) if new.is_empty() && old.trim().is_empty() => "remove the space".to_owned(),
+        (old, new) if new.is_empty() => format!("remove `{old}`"),
+        (old, new) => format!("replace `{old}` with `{new}`"),
     }
 }
 
@@ -83,12 +94,14 @@ mod tests {
     #[test]
     fn titles_say_what_changes() {
         let mut sources = SourceMap::default();
-        let file = sources.add("a.ifs", "let a = widht;\n".to_owned());
+        let file = sources.add("a.ifs", "let a = widht; 27\n".to_owned());
         let at = |start, end| Span::new(file, start, end);
         let title = |fix: Fix| fix.title(&sources);
         assert_eq!(title(Fix::replacing(at(8, 13), "width")), "replace `widht` with `width`");
         assert_eq!(title(Fix::replacing(at(13, 14), "")), "remove `;`");
-        assert_eq!(title(Fix::replacing(at(13, 13), "mm")), "insert `mm`");
+        assert_eq!(title(Fix::replacing(at(13, 13), "+")), "insert `+`");
+        assert_eq!(title(Fix::replacing(at(17, 17), "mm")), "replace `27` with `27mm`");
+        assert_eq!(title(Fix::replacing(at(14, 15), "")), "remove the space");
         assert_eq!(title(Fix::titled("level 3 instead of 4").with(at(0, 1), "3")), "level 3 instead of 4");
         let long = title(Fix::replacing(at(0, 0), "a ".repeat(100)));
         assert!(long.chars().count() < 64 && long.contains('…'), "{long}");

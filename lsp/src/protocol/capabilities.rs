@@ -1,15 +1,17 @@
 //! What the server can do, said once at the start. A test walks this list and asks for each.
 
 use tower_lsp::ls_types::{
-    CodeActionKind, CodeActionOptions, CodeActionProviderCapability,
-    DiagnosticOptions, DiagnosticServerCapabilities, DocumentLinkOptions, HoverProviderCapability, OneOf,
-    PositionEncodingKind, RenameOptions, SaveOptions, ServerCapabilities, TextDocumentSyncCapability,
-    TextDocumentSyncKind, TextDocumentSyncOptions, TextDocumentSyncSaveOptions,
-    TypeDefinitionProviderCapability, WorkDoneProgressOptions,
+    CodeActionKind, CodeActionOptions, CodeActionProviderCapability, DiagnosticOptions,
+    DiagnosticServerCapabilities, DocumentLinkOptions, HoverProviderCapability, OneOf, PositionEncodingKind,
+    RenameOptions, SaveOptions, ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind,
+    TextDocumentSyncOptions, TextDocumentSyncSaveOptions, TypeDefinitionProviderCapability,
+    WorkDoneProgressOptions,
 };
 
-use crate::server::actions::FIX_ALL;
 use crate::world::Encoding;
+
+/// Every fix that can be made without asking, in one step.
+pub(crate) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ifs");
 
 /// The capabilities for a client that counts columns so, and pulls diagnostics or does not.
 pub(crate) fn capabilities(encoding: Encoding, pulls: bool) -> ServerCapabilities {

@@ -6,11 +6,9 @@ use ifs_compiler::diagnostic::{Diagnostic, Edit};
 use tower_lsp::ls_types::*;
 
 use crate::features::fixes::{self, Mend};
+use crate::protocol::capabilities::FIX_ALL;
 use crate::protocol::diagnostics::diagnostic;
 use crate::world::Snapshot;
-
-/// Every fix that can be made without asking, in one step.
-pub(crate) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ifs");
 
 /// What can be done in a range, of the kinds that the client asks for; all where it asks for none.
 pub(super) fn actions(
@@ -43,8 +41,7 @@ pub(super) fn actions(
 
 /// Whether a kind is the other or below it: `source.fixAll.ifs` is below `source`.
 fn is_within(kind: &str, other: &str) -> bool {
-    other.is_empty()
-        || kind.strip_prefix(other).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    other.is_empty() || kind.strip_prefix(other).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 /// The diagnostics that touch a range of the document.
@@ -76,9 +73,9 @@ fn safe(snapshot: &Snapshot) -> Vec<Edit> {
         for mend in fixes::mends(&snapshot.analysis, found).into_iter().filter(|mend| mend.safe) {
             let free = mend.edits.iter().all(|edit| {
                 edit.span.file == root
-                    && chosen.iter().all(|other| {
-                        edit.span.end < other.span.start || other.span.end < edit.span.start
-                    })
+                    && chosen
+                        .iter()
+                        .all(|other| edit.span.end < other.span.start || other.span.end < edit.span.start)
             });
             if free {
                 chosen.extend(mend.edits);

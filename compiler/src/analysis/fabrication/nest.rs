@@ -73,7 +73,8 @@ impl Work<'_> {
             let diagnostic = Diagnostic::new(Code::E0930, place, message).label("no room is left");
             let fixes = match asked("margin") {
                 Some((_, place)) if MARGIN < length.min(width) / 2.0 => {
-                    vec![Fix::replacing(place, format!("{MARGIN}mm"))]
+                    let title = format!("set `margin` to {MARGIN}mm instead of {margin}mm");
+                    vec![Fix::titled(title).with(place, format!("{MARGIN}mm"))]
                 }
                 _ => Vec::new(),
             };
@@ -113,7 +114,10 @@ impl Work<'_> {
                 tool.diameter
             );
             let diagnostic = Diagnostic::new(Code::E0931, place, message).label("too small").note(why);
-            let fixes = find(given, name).map(|(_, place)| Fix::replacing(place, format!("{least}mm")));
+            let fixes = find(given, name).map(|(_, place)| {
+                let title = format!("set `{name}` to {least}mm instead of {value}mm");
+                Fix::titled(title).with(place, format!("{least}mm"))
+            });
             let hint = format!("write `{name}: {least}mm`, or leave `{name}` out");
             self.diagnostics.push(diagnostic.ways(hint, fixes.into_iter().collect()));
             return None;
@@ -149,7 +153,8 @@ impl Work<'_> {
                 length / 2.0
             );
             let diagnostic = Diagnostic::new(Code::E0930, place, message).label("no room is left");
-            let fixes = find(given, "trim").map(|(_, place)| Fix::replacing(place, "0mm"));
+            let title = format!("set `trim` to 0mm instead of {trim}mm");
+            let fixes = find(given, "trim").map(|(_, place)| Fix::titled(title).with(place, "0mm"));
             let hint = "use a smaller `trim` or longer `stock`";
             self.diagnostics.push(diagnostic.ways(hint, fixes.into_iter().collect()));
             return None;

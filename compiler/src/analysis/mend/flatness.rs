@@ -10,7 +10,11 @@ use crate::planarize::{Pin, StopReason};
 
 impl Remedies<'_> {
     /// What makes quads flatter, where that is what the requirement asks for.
-    pub(super) fn flatter(&self, fabrication: &Fabrication, requirement: &RequirementResult) -> Option<Remedy> {
+    pub(super) fn flatter(
+        &self,
+        fabrication: &Fabrication,
+        requirement: &RequirementResult,
+    ) -> Option<Remedy> {
         let Elements::Panels(panels) = &fabrication.elements else { return None };
         let limit = match requirement.limit {
             LimitValue::Plain(limit) => Some(limit),
@@ -19,7 +23,9 @@ impl Remedies<'_> {
         let measure = requirement.measure;
         let too_flat = match measure {
             Measure::Planarity => matches!(limit, Some(Limit::AtMost(_) | Limit::Below(_))),
-            Measure::Fold | Measure::DiagonalRatio => matches!(limit, Some(Limit::AtLeast(_) | Limit::Above(_))),
+            Measure::Fold | Measure::DiagonalRatio => {
+                matches!(limit, Some(Limit::AtLeast(_) | Limit::Above(_)))
+            }
             Measure::BendRadius => matches!(limit, Some(Limit::AtMost(_) | Limit::Below(_))),
             _ => return None,
         };

@@ -45,10 +45,7 @@ impl Remedies<'_> {
     }
 }
 
-fn turned(
-    fabrication: &Fabrication,
-    requirement: &RequirementResult,
-) -> Option<(&'static str, Remedy)> {
+fn turned(fabrication: &Fabrication, requirement: &RequirementResult) -> Option<(&'static str, Remedy)> {
     let Elements::Panels(made) = &fabrication.elements else { return None };
     if !matches!(requirement.limit, LimitValue::Grain(_)) {
         return None;

@@ -1,7 +1,7 @@
 //! The raw board or bar that is large enough, and the grain with which boards fit.
 
-use super::{Remedies, Remedy};
 use super::grain::{others, with_grain};
+use super::{Remedies, Remedy};
 use crate::analysis::fabrication::{Elements, Fabrication, PanelsMade};
 use crate::fabricate::panel::{Grain, PanelRefusal};
 use crate::fabricate::plank::PlankRefusal;

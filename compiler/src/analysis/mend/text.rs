@@ -46,7 +46,8 @@ impl Remedies<'_> {
         let block = self.block(&fabrication.figure)?;
         match block.settings.iter().find(|setting| setting.name == name) {
             Some(setting) if is_written_out(&setting.value) => {
-                Some(Fix::replacing(setting.value.span, value))
+                let title = format!("set `{name}` to {value}");
+                Some(Fix::titled(title).with(setting.value.span, value))
             }
             Some(_) => None,
             None => put_before(block.settings.first()?, name, value, "\n    "),

@@ -107,9 +107,7 @@ impl Checker<'_> {
             let given = given.join(", ");
             Fix::titled(format!("add `{given}`")).with(last.after(), format!(", {given}"))
         });
-        self.report(
-            diagnostic.ways(format!("add {}", examples.join(", and ")), fix.into_iter().collect()),
-        );
+        self.report(diagnostic.ways(format!("add {}", examples.join(", and ")), fix.into_iter().collect()));
     }
 
     fn place(

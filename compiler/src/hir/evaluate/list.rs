@@ -92,7 +92,10 @@ impl Evaluator<'_> {
                 n => {
                     let last = if place < 0 { 0 } else { n - 1 };
                     let fixes = match is_literal(index) {
-                        true => vec![Fix::replacing(index.span, last.to_string())],
+                        true => {
+                            let title = format!("take element {last} instead of {place}");
+                            vec![Fix::titled(title).with(index.span, last.to_string())]
+                        }
                         false => Vec::new(),
                     };
                     diagnostic.ways(format!("elements are counted from 0 to {}", n - 1), fixes)

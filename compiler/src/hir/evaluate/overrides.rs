@@ -176,7 +176,13 @@ impl Evaluator<'_> {
         let nearest = if inside(value, least) { words(least) } else { words(most) };
         let place = if set.is_some() { name_span } else { param.default.value.span };
         let fixes = match (&set, is_literal(&param.default.value)) {
-            (None, true) => vec![Fix::replacing(place, nearest.clone())],
+            (None, true) => {
+                let title = format!(
+                    "set `{name}` to {nearest}, the nearest in its range, instead of {}",
+                    words(value)
+                );
+                vec![Fix::titled(title).with(place, nearest.clone())]
+            }
             _ => Vec::new(),
         };
         let diagnostic = Diagnostic::new(Code::E0601, place, message)

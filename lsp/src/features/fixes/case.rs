@@ -22,7 +22,8 @@ pub(super) fn renamed(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     }
     places.sort();
     let count = places.len();
-    let title = format!("write `{}` instead of `{old}` here and at {} more places", new.replacement, count - 1);
+    let title =
+        format!("write `{}` instead of `{old}` here and at {} more places", new.replacement, count - 1);
     let title = if count == 2 { title.replace("1 more places", "its use") } else { title };
     vec![places.into_iter().fold(Fix::titled(title), |fix, place| fix.with(place, &new.replacement))]
 }

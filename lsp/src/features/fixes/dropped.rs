@@ -13,11 +13,8 @@ use crate::features::words::written;
 pub(super) fn import(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     let Some((whole, import)) = import_of(analysis, found.span) else { return Vec::new() };
     let name = written(analysis, found.span);
-    let span = if import.names.len() == 1 {
-        whole
-    } else {
-        with_comma(&words(analysis, found.span), found.span)
-    };
+    let span =
+        if import.names.len() == 1 { whole } else { with_comma(&words(analysis, found.span), found.span) };
     vec![Fix::titled(format!("remove the import of `{name}`")).with(span, "")]
 }
 
@@ -34,9 +31,7 @@ fn import_of(analysis: &Analysis, name: Span) -> Option<(Span, &Use)> {
 /// Every `use` of a file without the names that nothing uses, and the others in the order of the alphabet.
 pub(crate) fn organized(analysis: &Analysis, diagnostics: &[Diagnostic], file: FileId) -> Vec<Edit> {
     let Some(read) = analysis.files.iter().find(|read| read.file == file) else { return Vec::new() };
-    let unused = |span: Span| {
-        diagnostics.iter().any(|found| found.code == Code::W0307 && found.span == span)
-    };
+    let unused = |span: Span| diagnostics.iter().any(|found| found.code == Code::W0307 && found.span == span);
     let mut edits = Vec::new();
     for item in &read.parse.ast.items {
         let ItemKind::Use(import) = &item.kind else { continue };
@@ -100,7 +95,8 @@ pub(super) fn entry(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     let place = found.span;
     if found.code == Code::E0820 {
         // The value stands there; its name and the colon before it.
-        let before: Vec<_> = words.iter().rev().filter(|token| token.span.end <= place.start).take(2).collect();
+        let before: Vec<_> =
+            words.iter().rev().filter(|token| token.span.end <= place.start).take(2).collect();
         let [colon, name] = before.as_slice() else { return Vec::new() };
         if colon.kind != TokenKind::Colon {
             return Vec::new();

@@ -54,14 +54,12 @@ pub fn mends(analysis: &Analysis, found: &Diagnostic) -> Vec<Mend> {
 
 /// Codes whose only fix leaves the meaning as it is: imports, comments, signs that mean nothing.
 fn is_safe(code: Code) -> bool {
-    matches!(
-        code,
-        Code::E0102 | Code::E0106 | Code::E0204 | Code::W0307 | Code::W0308 | Code::W0525 | Code::W0608
-    )
+    matches!(code, Code::E0102 | Code::E0106 | Code::E0204 | Code::W0307 | Code::W0308 | Code::W0525)
 }
 
 fn computed(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     match found.code {
+        Code::E0201 => names::reserved(analysis, found),
         Code::E0205 => case::renamed(analysis, found),
         Code::E0302 => names::renamed(analysis, found),
         Code::E0405 => dropped::argument(analysis, found),
@@ -92,9 +90,9 @@ fn tidied(analysis: &Analysis, fix: &Fix) -> Option<Vec<Edit>> {
         edits.push(Edit { span, replacement });
     }
     edits.sort_by_key(|edit| (edit.span.file, edit.span.start, edit.span.end));
-    let apart = edits.windows(2).all(|pair| {
-        pair[0].span.file != pair[1].span.file || pair[0].span.end <= pair[1].span.start
-    });
+    let apart = edits
+        .windows(2)
+        .all(|pair| pair[0].span.file != pair[1].span.file || pair[0].span.end <= pair[1].span.start);
     (apart && !edits.is_empty()).then_some(edits)
 }
 

@@ -1,7 +1,8 @@
-//! A name that is declared twice: the second gets another that nothing has.
+//! Names that cannot be: one that is declared twice gets another that nothing has, a word of the language one that is none.
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::{Diagnostic, Fix};
+use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
 
 use super::dropped;
@@ -31,4 +32,27 @@ pub(super) fn renamed(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
         Fix::titled(format!("call the second `{new}`: `{name}` still means the first")).with(found.span, new)
     };
     new.map(fix).into_iter().collect()
+}
+
+/// A word of the language where a name is declared, with an underscore behind it.
+pub(super) fn reserved(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
+    let words = words(analysis, found.span);
+    let Some(place) = words.iter().position(|token| token.span == found.span) else { return Vec::new() };
+    let declares = place.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|before| {
+        matches!(written(analysis, before.span), "let" | "param" | "fn" | "ifs" | "figure" | "transform")
+    });
+    let same_line = |before: Span| {
+        let between = Span::new(before.file, before.start, found.span.start);
+        !written(analysis, between).contains('\n')
+    };
+    let word = written(analysis, found.span);
+    let together = place.checked_sub(1).is_some_and(|before| same_line(words[before].span));
+    let assigned = words.get(place + 1).is_some_and(|next| {
+        matches!(next.kind, TokenKind::Equals | TokenKind::Colon | TokenKind::OpenParenthesis)
+    });
+    if !declares || !together || !assigned || !words[place].kind.is_keyword() {
+        return Vec::new();
+    }
+    let title = format!("call it `{word}_`: `{word}` is a word of the language");
+    vec![Fix::titled(title).with(found.span, format!("{word}_"))]
 }

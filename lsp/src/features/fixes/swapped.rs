@@ -26,5 +26,7 @@ pub(super) fn ends(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     let from = Span::new(span.file, first.span.start, before.span.end);
     let to = Span::new(span.file, after.span.start, last.span.end);
     let [low, high] = [to, from].map(|part| written(analysis, part).to_owned());
-    vec![Fix::titled(format!("write the smaller end first: `{low} .. {high}`")).with(from, low).with(to, high)]
+    vec![
+        Fix::titled(format!("write the smaller end first: `{low} .. {high}`")).with(from, low).with(to, high),
+    ]
 }

@@ -26,8 +26,10 @@ pub(super) fn completed(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     let Some(sum) = expression_at(analysis, made) else { return Vec::new() };
     let mut terms = Vec::new();
     collect(sum, 1, &mut terms);
-    let weights: Option<Vec<Rational>> =
-        terms.iter().map(|term| weight(analysis, term.expr).map(|weight| weight * Rational::from(term.sign))).collect();
+    let weights: Option<Vec<Rational>> = terms
+        .iter()
+        .map(|term| weight(analysis, term.expr).map(|weight| weight * Rational::from(term.sign)))
+        .collect();
     let mut fixes = Vec::new();
     if let Some(weights) = weights {
         let total = weights.iter().fold(Rational::from(0), |total, weight| &total + weight);
@@ -160,10 +162,12 @@ fn divided(analysis: &Analysis, sum: &Expr, total: &Rational) -> Option<Fix> {
     {
         let then = &now * total;
         let title = format!("divide by {then} instead of {now}, so that the weights sum to 1");
-        let text = if then.is_integer() && !then.is_negative() { then.to_string() } else { format!("({then})") };
+        let text =
+            if then.is_integer() && !then.is_negative() { then.to_string() } else { format!("({then})") };
         return Some(Fix::titled(title).with(right.span, text));
     }
-    let divisor = if total.is_integer() && !total.is_negative() { total.to_string() } else { format!("({total})") };
+    let divisor =
+        if total.is_integer() && !total.is_negative() { total.to_string() } else { format!("({total})") };
     let title = format!("divide the sum by {total}, so that the weights sum to 1");
     let old = written(analysis, sum.span);
     let inner = if matches!(sum.kind, ExprKind::Group(_)) { old.to_owned() } else { format!("({old})") };
@@ -176,7 +180,8 @@ fn complement(analysis: &Analysis, first: &Expr, last: &Expr) -> Option<Fix> {
     let (now, point) = factors(analysis, last)?;
     let [weight, now, point] = [weight, now, point].map(|part| written(analysis, part).to_owned());
     let simple = weight.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '.');
-    let weight = if simple { weight } else { format!("({weight})") };
+    let bracketed = weight.starts_with('(') && weight.find(')') == Some(weight.len() - 1);
+    let weight = if simple || bracketed { weight } else { format!("({weight})") };
     let title = format!("weigh `{point}` by 1 - {weight} instead of {now}, so that the weights sum to 1");
     Some(Fix::titled(title).with(last.span, format!("(1 - {weight}) * {point}")))
 }
