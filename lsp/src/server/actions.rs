@@ -1,7 +1,5 @@
 //! Code actions: quick fixes at the diagnostics of a range, and what is done to a whole file.
 
-use std::collections::HashMap;
-
 use ifs_compiler::diagnostic::{Diagnostic, Edit};
 use tower_lsp::ls_types::*;
 
@@ -100,16 +98,16 @@ fn whole(snapshot: &Snapshot, title: &str, kind: CodeActionKind, edits: Vec<Edit
 
 /// `None` where a place lies in a file that an editor cannot open.
 fn workspace_edit(snapshot: &Snapshot, edits: &[Edit]) -> Option<WorkspaceEdit> {
-    // Clients take a map whose order they do not look at.
-    let mut changes: HashMap<Uri, Vec<TextEdit>> = HashMap::new();
+    let mut changes: Vec<(Uri, Vec<TextEdit>)> = Vec::new();
     for edit in edits {
         let place = snapshot.location(edit.span)?;
-        changes
-            .entry(place.uri)
-            .or_default()
-            .push(TextEdit { range: place.range, new_text: edit.replacement.clone() });
+        let change = TextEdit { range: place.range, new_text: edit.replacement.clone() };
+        match changes.iter_mut().find(|(uri, _)| *uri == place.uri) {
+            Some((_, of_file)) => of_file.push(change),
+            None => changes.push((place.uri, vec![change])),
+        }
     }
-    Some(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() })
+    Some(WorkspaceEdit { changes: Some(changes.into_iter().collect()), ..WorkspaceEdit::default() })
 }
 
 #[cfg(test)]
