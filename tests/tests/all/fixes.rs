@@ -1,5 +1,6 @@
 //! Quick fixes: each of a table of texts becomes the text it should; and every fix that is offered in the suite is a change
 //! of the text after which its diagnostic is gone.
+#![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "the tests read the suite")]
 
 use std::collections::BTreeSet;
 use std::fs;
