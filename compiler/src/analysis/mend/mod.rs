@@ -13,6 +13,7 @@ mod variants;
 use super::Evaluated;
 use super::fabrication::{Elements, Fabrication};
 use super::requirements::{LimitValue, RequirementResult};
+use super::watch::Watch;
 use crate::fabricate::checks::Limit;
 use crate::hir::evaluate::Overrides;
 use crate::hir::schema::Measure;
@@ -66,9 +67,14 @@ pub(super) struct Remedies<'a> {
 }
 
 impl<'a> Remedies<'a> {
-    pub(super) fn new(hir: &'a Hir, overrides: &'a Overrides, evaluated: &Evaluated) -> Self {
+    pub(super) fn new(
+        hir: &'a Hir,
+        overrides: &'a Overrides,
+        evaluated: &Evaluated,
+        watch: &'a mut dyn Watch,
+    ) -> Self {
         let now = variants::blocks(evaluated);
-        Remedies { hir, overrides, variants: Variants::new(hir, overrides, evaluated), now }
+        Remedies { hir, overrides, variants: Variants::new(hir, overrides, evaluated, watch), now }
     }
 
     /// Sentences on what would make hold what fails of a block: what does, else how near one comes.
