@@ -136,7 +136,6 @@ impl Client {
     ///
     /// # Errors
     /// The error reply.
-    #[allow(clippy::missing_errors_doc, reason = "they are said")]
     pub fn request(&mut self, method: &str, params: Value) -> Answer {
         let id = self.begin(method, params);
         self.answer(id)

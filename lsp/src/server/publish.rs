@@ -36,7 +36,7 @@ pub(crate) async fn publish(client: Client, outbox: Outbox, told: Told, names: N
             client.log_message(MessageType::ERROR, words).await;
         }
         if told.pulls {
-            if news.worked {
+            if news.pull_again {
                 let client = client.clone();
                 // Its answer says nothing, and it may take its time.
                 tokio::spawn(async move {
@@ -78,7 +78,7 @@ pub(crate) fn end_with(parent: u32) {
     let Some(parent) = i32::try_from(parent).ok().and_then(rustix::process::Pid::from_raw) else { return };
     thread::spawn(move || {
         while rustix::process::test_kill_process(parent) != Err(rustix::io::Errno::SRCH) {
-            thread::sleep(Duration::from_secs(1));
+            thread::sleep(Duration::from_millis(500));
         }
         std::process::exit(1);
     });

@@ -17,8 +17,10 @@ use ifs_compiler::planarize::Progress;
 use super::overlay::Overlay;
 use super::owner::Message;
 
-/// How long the text must rest before it is worked out.
+/// How long the text must rest before it is worked out, and how much longer for each KiB of it: a long one takes its time
+/// to be read again, which should not be between two keystrokes.
 const REST: Duration = Duration::from_millis(80);
+const REST_PER_KIB: Duration = Duration::from_millis(1);
 
 /// A design to be worked out.
 #[derive(Debug)]
@@ -26,6 +28,14 @@ pub(crate) struct Job {
     pub(crate) overlay: Overlay,
     /// The revision of the world it was taken from.
     pub(crate) revision: u64,
+    /// Bytes of its text.
+    pub(crate) bytes: usize,
+}
+
+impl Job {
+    fn rest(&self) -> Duration {
+        REST + REST_PER_KIB * u32::try_from(self.bytes / 1024).unwrap_or(u32::MAX).min(1000)
+    }
 }
 
 /// A design worked out.
@@ -44,6 +54,10 @@ struct Queue {
 }
 
 impl Queue {
+    fn newest(&self) -> Option<(&PathBuf, &Job)> {
+        self.jobs.iter().max_by_key(|(_, job)| job.revision)
+    }
+
     fn forget(&mut self, path: &Path) {
         self.jobs.remove(path);
         if let Some((_, unwanted)) = self.running.as_ref().filter(|(running, _)| running == path) {
@@ -117,7 +131,7 @@ impl Background {
 
     fn run(&self, owner: &Sender<Message>) {
         while let Some((path, job, unwanted)) = self.next() {
-            let Job { overlay, revision } = job;
+            let Job { overlay, revision, .. } = job;
             let mut watch = Unwanted(Arc::clone(&unwanted));
             let work = || {
                 let project = &overlay.project;
@@ -142,16 +156,16 @@ impl Background {
             if queue.stopped {
                 return None;
             }
-            if queue.jobs.is_empty() {
+            let Some(rest) = queue.newest().map(|(_, job)| job.rest()) else {
                 queue = self.queue.1.wait(queue).unwrap_or_else(PoisonError::into_inner);
                 continue;
-            }
-            let waited = self.queue.1.wait_timeout(queue, REST).unwrap_or_else(PoisonError::into_inner);
+            };
+            let waited = self.queue.1.wait_timeout(queue, rest).unwrap_or_else(PoisonError::into_inner);
             queue = waited.0;
             if !waited.1.timed_out() {
                 continue;
             }
-            let newest = queue.jobs.iter().max_by_key(|(_, job)| job.revision).map(|(path, _)| path.clone());
+            let newest = queue.newest().map(|(path, _)| path.clone());
             if let Some((path, job)) = newest.and_then(|path| queue.jobs.remove_entry(&path)) {
                 let unwanted = Arc::<AtomicBool>::default();
                 queue.running = Some((path.clone(), Arc::clone(&unwanted)));

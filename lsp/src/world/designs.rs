@@ -115,7 +115,9 @@ impl Designs {
     fn put(&mut self, path: &Path, overlay: Overlay, analysis: Analysis, revision: u64) {
         let root = overlay.project.root.clone();
         if !analysis.has_errors() {
-            self.background.ask(path.to_owned(), Job { overlay, revision });
+            let texts = analysis.files.iter().filter_map(|file| analysis.sources.get(file.file));
+            let bytes = texts.map(|source| source.text.len()).sum();
+            self.background.ask(path.to_owned(), Job { overlay, revision, bytes });
         }
         let old = self.read.remove(path);
         let same_files = |old: &Design| {

@@ -30,8 +30,8 @@ pub(crate) struct Wrong {
 #[derive(Default)]
 pub(crate) struct News {
     pub(crate) wrong: BTreeMap<PathBuf, Wrong>,
-    /// Designs were worked out: what was said of them may be more now.
-    pub(crate) worked: bool,
+    /// What a client pulled may be another now without a change of the text: designs were worked out, or files changed.
+    pub(crate) pull_again: bool,
     /// Mistakes of ours.
     pub(crate) failures: Vec<String>,
 }

@@ -181,6 +181,7 @@ impl Owner {
                 self.revision += 1;
                 self.disk += 1;
                 self.designs.outdate_all();
+                self.outbox.put(|news| news.pull_again = true);
                 true
             }
             Message::AskMoment(reply) => {
@@ -253,7 +254,7 @@ impl Owner {
         };
         let useful = self.designs.worked(path, worked);
         if useful {
-            self.outbox.put(|news| news.worked = true);
+            self.outbox.put(|news| news.pull_again = true);
         }
         useful
     }

@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 const DESIGN: &str = "\
 use std.curves (bezier3)
 use std.materials (birch_plywood)
+use std.surfaces (tensor)
 use \"./ribs.ifs\" (rib, Rib)
 
 /// How wide it is.
@@ -21,12 +22,11 @@ param width: Length = 4m in 2m .. 6m step 250mm
 let height = width /   2
 let first = Rib(depth: 120mm)
 
-figure arch = rib(height) at level 3
+figure arch = rib(height)
 
 let net = [[(i * 400mm, j * 300mm, 10mm * i * j) for j in 0..4] for i in 0..4]
-figure roof = tensor_roof(net)
 fn tensor_roof(net: [[Point]]) -> Surface = tensor(bezier3, bezier3) on net at level 1
-use std.surfaces (tensor)
+figure roof = tensor_roof(net)
 
 fabricate roof as panels {
     material: birch_plywood(12mm)
@@ -39,17 +39,18 @@ const RIBS: &str = "\
 use std.curves (bezier3)
 
 /// A rib of a width.
-fn rib(height: Length) -> Curve = bezier3 on ((0m, 0m), (1m, height), (3m, height), (4m, 0m)) at level 2
+pub fn rib(height: Length) -> Curve = bezier3 on ((0m, 0m), (1m, height), (3m, height), (4m, 0m)) at level 2
 
-record Rib { depth: Length }
+/// How a rib is made.
+pub record Rib { depth: Length }
 ";
 
-/// A method, the JSON pointer to what says that it is there, what is asked, and what is true of a real answer. The text
-/// between `‹›` in the pointer's row is the place that is asked about.
+/// What says that it is there (a JSON pointer into the capabilities), the method, what is asked, and what is true of a real
+/// answer.
 struct Row {
     capability: &'static str,
     method: &'static str,
-    /// Where in the design: the byte after the first of these that is followed by the rest; `""` asks about all of it.
+    /// The place that is asked about is behind these words of the design; `""` asks about all of it.
     before: &'static str,
     /// What is asked beside the document and the place.
     more: fn() -> Value,
@@ -93,7 +94,7 @@ const ROWS: &[Row] = &[
         says(it, "ribs.ifs") && says(it, "curves.ifs")
     }),
     row("/renameProvider/prepareProvider", "textDocument/prepareRename", "let hei", |it| {
-        it["start"]["line"] == 6
+        it["start"]["line"] == 7
     }),
     Row {
         more: || json!({ "newName": "rise" }),

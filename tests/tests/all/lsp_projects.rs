@@ -11,9 +11,8 @@ use ifs_tests::client::{Client, uri};
 use ifs_tests::{program_path, scratch};
 use serde_json::{Value, json};
 
-const DESIGN: &str =
-    "use \"./parts/ribs.ifs\" (rib)\nparam width: Length = 4m\nfigure arch = rib(width) at level 2\n";
-const RIBS: &str = "use std.curves (bezier3)\nfn rib(w: Length) -> Curve = bezier3 on ((0m, 0m), (1m, w), (3m, w), (4m, 0m)) at level 2\n";
+const DESIGN: &str = "use \"./parts/ribs.ifs\" (rib)\nparam width: Length = 4m\nfigure arch = rib(width)\n";
+const RIBS: &str = "use std.curves (bezier3)\npub fn rib(w: Length) -> Curve = bezier3 on ((0m, 0m), (1m, w), (3m, w), (4m, 0m)) at level 2\n";
 
 fn server() -> Client {
     let mut client = Client::start(program_path(false));
@@ -45,7 +44,7 @@ fn a_project_of_several_files() {
     // A file that is used changes in the editor, not on disk: the design that uses it hears of it.
     client.open(&ribs, RIBS);
     assert_eq!(client.diagnostics(&ribs, 1), [] as [Value; 0]);
-    client.change(&ribs, 2, json!([{ "text": RIBS.replace("fn rib", "fn ribs") }]));
+    client.change(&ribs, 2, json!([{ "text": RIBS.replace("fn rib(", "fn ribs(") }]));
     let found = client.diagnostics_until(&design, |list| !list.is_empty());
     assert!(found[0]["message"].as_str().unwrap().contains("rib"), "{found:#?}");
     // And when it is closed the disk counts again.
