@@ -15,6 +15,7 @@ mod variants;
 use super::Evaluated;
 use super::fabrication::Fabrication;
 use super::requirements::RequirementResult;
+use super::watch::Watch;
 use crate::diagnostic::{Fix, Hint};
 use crate::hir::evaluate::Overrides;
 use crate::hir::schema::Measure;
@@ -73,9 +74,14 @@ pub(super) struct Remedies<'a> {
 }
 
 impl<'a> Remedies<'a> {
-    pub(super) fn new(hir: &'a Hir, overrides: &'a Overrides, evaluated: &Evaluated) -> Self {
+    pub(super) fn new(
+        hir: &'a Hir,
+        overrides: &'a Overrides,
+        evaluated: &Evaluated,
+        watch: &'a mut dyn Watch,
+    ) -> Self {
         let now = variants::blocks(evaluated);
-        Remedies { hir, overrides, variants: Variants::new(hir, overrides, evaluated), now }
+        Remedies { hir, overrides, variants: Variants::new(hir, overrides, evaluated, watch), now }
     }
 
     /// What would make hold what fails of a block, in sentences with the changes of the text that do it: what does, else
