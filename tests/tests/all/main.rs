@@ -35,3 +35,4 @@ mod surfaces;
 mod testing;
 mod timber;
 mod tree;
+mod tree_sitter;
