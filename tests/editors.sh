@@ -45,7 +45,7 @@ vs_code() {
     rm -rf "$data" "$design" "$here"/pictures/*
     mkdir -p "$data/User" "$design"
     sed 's/0\.1 \* span/0.1 * spann/' examples/vault.ifs >"$design/vault.ifs"
-    printf '{"ifs.server.path":"%s","workbench.startupEditor":"none","chat.disableAIFeatures":true}' \
+    printf '{"ifs.server.path":"%s","workbench.startupEditor":"none","chat.disableAIFeatures":true,"editor.wordBasedSuggestions":"off","workbench.secondarySideBar.defaultVisibility":"hidden"}' \
         "$PWD/target/debug/ifs" >"$data/User/settings.json"
     local run=("$node/node" "$entry" --user-data-dir "$data" --extensions-dir "$data/extensions")
     "${run[@]}" --install-extension editors/vscode/ifs.vsix

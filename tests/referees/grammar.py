@@ -1,6 +1,6 @@
-"""Parses files with the tree-sitter grammar of editors/, and compiles its queries.
+"""Parses files with the tree-sitter grammar of editors/, and compiles all queries there.
 
-grammar.py LIBRARY QUERIES_FOLDER FILE...
+grammar.py LIBRARY FOLDER_OF_QUERIES FILE...
 
 Prints one line: which files have ERROR or MISSING nodes, and how many captures each query has over all files.
 Ends with 1 where a query does not compile.
@@ -28,11 +28,14 @@ def main():
     ifs = language(library)
     parser = Parser(ifs)
     compiled, faults = {}, []
-    for path in sorted(pathlib.Path(queries).glob("*.scm")):
+    for path in sorted(pathlib.Path(queries).rglob("*.scm")):
+        name = path.relative_to(queries).as_posix()
+        if "node_modules" in name:
+            continue
         try:
-            compiled[path.name] = Query(ifs, path.read_text())
+            compiled[name] = Query(ifs, path.read_text())
         except Exception as fault:
-            faults.append(f"{path.name}: {fault}")
+            faults.append(f"{name}: {fault}")
     captures = dict.fromkeys(compiled, 0)
     wrong = []
     for file in files:

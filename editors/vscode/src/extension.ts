@@ -1,7 +1,7 @@
 // The extension: starts `ifs lsp`, and carries out the commands. What the editor shows of a design comes from the server.
 
 import * as vscode from "vscode";
-import { LanguageClient, ServerOptions, TransportKind } from "vscode-languageclient/node";
+import { LanguageClient, ServerOptions } from "vscode-languageclient/node";
 import { build, showReport } from "./commands";
 import { program } from "./program";
 
@@ -27,18 +27,18 @@ export async function deactivate(): Promise<void> {
 
 async function start(): Promise<void> {
   const command = program();
-  const server: ServerOptions = { command, args: ["lsp"], transport: TransportKind.stdio };
+  // No transport is named: the client would add `--stdio`.
+  const server: ServerOptions = { command, args: ["lsp"] };
   client = new LanguageClient("ifs", "ifs", server, {
     documentSelector: [{ scheme: "file", language: "ifs" }],
   });
   try {
     await client.start();
   } catch (reason) {
-    const choice = await vscode.window.showErrorMessage(
-      `The ifs server does not start: \`${command} lsp\` (${String(reason)}). Install ifs, or say where it is.`,
-      "Open Settings",
-    );
-    if (choice) await vscode.commands.executeCommand("workbench.action.openSettings", "ifs.server.path");
+    const said = `The ifs server does not start: \`${command} lsp\` (${String(reason)}). Install ifs, or say where it is.`;
+    void vscode.window.showErrorMessage(said, "Open Settings").then((choice) => {
+      if (choice) void vscode.commands.executeCommand("workbench.action.openSettings", "ifs.server.path");
+    });
   }
 }
 

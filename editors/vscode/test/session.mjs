@@ -49,14 +49,8 @@ const save = async (holds) => {
 await page.goto(`${url}/?folder=${folder}&payload=[["openFile","vscode-remote://localhost${folder}/vault.ifs"]]`);
 await step("open", async () => {
   await page.waitForSelector(".monaco-workbench .explorer-folders-view", { timeout: 60000 });
-  if (!(await page.$(".editor-instance .view-lines"))) {
-    await press("Control+P");
-    await page.waitForTimeout(500);
-    await page.keyboard.type("vault.ifs");
-    await page.waitForTimeout(1500);
-    await press("Enter");
-  }
-  await page.waitForSelector(".editor-instance .view-lines", { timeout: 30000 });
+  await page.waitForSelector(".monaco-editor .view-line", { timeout: 30000 });
+  await page.click(".monaco-editor .view-line");
   await page.waitForSelector(".statusbar-item >> text=ifs", { timeout: 20000 });
 });
 await step("error under the word", async () => {

@@ -61,7 +61,7 @@ fn the_grammar_and_the_compiler_find_the_same_files_sound() {
     }
     let judged: Vec<(PathBuf, bool)> =
         files.into_iter().filter_map(|path| sound(&path).map(|sound| (path, sound))).collect();
-    let queries = grammar().join("queries");
+    let queries = root().join("editors");
     let library = library();
     let mut arguments: Vec<&Path> = vec![&library, &queries];
     arguments.extend(judged.iter().map(|(path, _)| path.as_path()));
@@ -80,7 +80,15 @@ fn the_grammar_and_the_compiler_find_the_same_files_sound() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     let refused = judged.iter().filter(|(_, sound)| !sound).count();
     assert!(refused >= 10 && judged.len() >= 300, "{refused} of {} refused", judged.len());
-    for query in ["highlights.scm", "folds.scm", "indents.scm", "locals.scm"] {
+    for query in [
+        "tree-sitter-ifs/queries/highlights.scm",
+        "tree-sitter-ifs/queries/folds.scm",
+        "tree-sitter-ifs/queries/indents.scm",
+        "tree-sitter-ifs/queries/locals.scm",
+        "helix/queries/highlights.scm",
+        "zed/languages/ifs/highlights.scm",
+        "zed/languages/ifs/brackets.scm",
+    ] {
         assert!(verdict.counts["captures"][query].as_u64().unwrap() > 1000, "{query} finds next to nothing");
     }
 }
@@ -102,9 +110,16 @@ fn the_words_of_the_grammar_are_those_of_the_language() {
     let units: BTreeSet<&str> =
         ifs_compiler::syntax::ast::Unit::ALL.iter().map(|unit| unit.suffix()).collect();
     assert_eq!(table("UNITS"), units);
-    let highlights = fs::read_to_string(grammar().join("queries/highlights.scm")).unwrap();
-    let missing: Vec<&str> = words.difference(&quoted(&highlights)).copied().collect();
-    assert!(missing.is_empty(), "highlights.scm has no colour for {missing:?}");
+    for coloured in [
+        "tree-sitter-ifs/queries/highlights.scm",
+        "helix/queries/highlights.scm",
+        "zed/languages/ifs/highlights.scm",
+        "emacs/ifs-mode.el",
+    ] {
+        let text = fs::read_to_string(root().join("editors").join(coloured)).unwrap();
+        let missing: Vec<&str> = words.difference(&quoted(&text)).copied().collect();
+        assert!(missing.is_empty(), "{coloured} has no colour for {missing:?}");
+    }
 }
 
 #[test]
