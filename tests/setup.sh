@@ -3,8 +3,8 @@
 #   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv, g++, libosd-dev (OpenSubdiv, into target/referees),
 #           chromium with fonts-liberation, poppler-utils (pdfinfo, pdftotext), librsvg2-bin (rsvg-convert),
 #           zbar-tools (zbarimg), neovim (0.7 or later)
-#   npm     gltf-validator                             into tests/referees/node_modules
-#   PyPI    compas_timber ezdxf geomdl numpy pytest-lsp scipy shapely trimesh, into target/referees
+#   npm     gltf-validator vscode-oniguruma vscode-textmate, into tests/referees/node_modules
+#   PyPI    compas_timber ezdxf geomdl numpy pytest-lsp scipy shapely tree-sitter trimesh, into target/referees
 # Quick when everything is there. As root on Debian it installs packages; otherwise it says which are missing and fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -41,3 +41,4 @@ mod surfaces;
 mod testing;
 mod timber;
 mod tree;
+mod tree_sitter;
