@@ -9,6 +9,7 @@ pub(super) mod problems;
 pub use meshes::MeshFile;
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::evaluate::MachineName;
 use crate::hir::{ImportedMesh, LIBRARY};
 use crate::source::{FileId, Files, ReadError, SourceMap, Span};
 use crate::syntax::{Parse, ast, parse};
@@ -58,11 +59,14 @@ pub(super) struct Loaded {
     pub(super) files: Vec<ProjectFile>,
     /// The meshes that any of them names and that could be read, in the order they are met.
     pub(super) meshes: Vec<MeshFile>,
+    /// The file in which a machine is named from outside.
+    pub(super) machine: Option<FileId>,
     pub(super) library: &'static Library,
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
-pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
+/// Reads a design, and the file of a machine that is named from outside.
+pub(super) fn load(files: &dyn Files, root: &str, machine: Option<&MachineName>) -> Loaded {
     let mut loader = Loader {
         files,
         sources: SourceMap::default(),
@@ -95,6 +99,7 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
     for (name, text) in LIBRARY {
         loader.sources.add(format!("std.{name}"), *text);
     }
+    let machine = machine.and_then(|machine| loader.machine(machine));
     let mut next = 0;
     while next < loader.found.len() {
         loader.follow(next);
@@ -106,6 +111,7 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
         sources: loader.sources,
         files: loader.found,
         meshes: loader.meshes.files,
+        machine,
         library,
         diagnostics: loader.diagnostics,
     }
@@ -170,6 +176,24 @@ impl Loader<'_> {
             readable,
         });
         place
+    }
+
+    /// The file of a machine that is named from outside; `None` after a report.
+    fn machine(&mut self, machine: &MachineName) -> Option<FileId> {
+        let read = match self.known.get(&machine.file) {
+            Some(known) => known.clone(),
+            None => self.read(&machine.file),
+        };
+        let error = match read {
+            Ok(place) => return Some(self.found[place].file),
+            Err(Failure::Unreadable(error)) => error,
+            Err(Failure::TooManyFiles | Failure::TooManyBytes) => {
+                ReadError::Other("the design has too many files, or too large ones".to_owned())
+            }
+        };
+        let root = self.found.first().map_or(FileId(0), |file| file.file);
+        self.diagnostics.push(super::machine::unreadable(machine, &error, root));
+        None
     }
 
     /// Reads the files that a file uses.

@@ -31,6 +31,8 @@ pub struct Hir {
     pub root: FileId,
     /// The files of the library.
     pub library: Vec<FileId>,
+    /// The file in which a machine is named from outside, where there is one.
+    pub machine_file: Option<FileId>,
 }
 
 impl Hir {

@@ -36,6 +36,7 @@ mod referees;
 mod requirements;
 mod robust;
 mod sameness;
+mod sheet_programs;
 mod sums;
 mod surfaces;
 mod testing;

@@ -1,8 +1,8 @@
 //! `nest`: the raw boards and bars that elements are cut from together, and which elements are too large for them. Where
 //! they lie is worked out when outputs are made.
 
-use super::super::settings::{self, SettingValue, number};
-use super::{Elements, Nest, PanelsMade, PlanksMade, Work};
+use super::super::settings::{self, SettingValue, choice, number};
+use super::{Elements, Nest, PanelsMade, PlanksMade, Programs, Work};
 use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Grain, Panel};
@@ -25,6 +25,9 @@ const TRIMMED: f64 = 200.0;
 /// What a saw blade takes where the design does not say it, mm.
 const KERF: f64 = 4.0;
 
+/// The setting that is no length.
+const PROGRAMS: &str = "programs";
+
 /// A board as it is nested.
 pub(crate) fn nested_panel(panel: &Panel, grain: Grain) -> Part {
     Part { outline: panel.outline.clone(), any_quarter: grain == Grain::Free }
@@ -41,7 +44,8 @@ impl Work<'_> {
         let Some((_, Value::Settings(given), span)) = self.setting("nest").cloned() else {
             return Some(None);
         };
-        for (name, value, place) in given.iter() {
+        let lengths = given.iter().filter(|(name, _, _)| *name != PROGRAMS);
+        for (name, value, place) in lengths {
             let value = value.number().unwrap_or(f64::NAN);
             if !(value >= 0.0 && value.is_finite()) {
                 let why = format!("`{name}` is 0mm or more, but here it is {value}mm");
@@ -50,7 +54,7 @@ impl Work<'_> {
             }
         }
         let nest = match elements {
-            Elements::Panels(made) => Nest::Sheets(self.sheets(made, &given, span)?),
+            Elements::Panels(made) => Nest::Sheets(self.sheets(made, &given, span)?, programs(&given)),
             Elements::Planks(made) => Nest::Bars(self.bars(made, &given, span)?),
         };
         Some(Some(nest))
@@ -59,8 +63,7 @@ impl Work<'_> {
     fn sheets(&mut self, made: &PanelsMade, given: &[SettingValue], span: Span) -> Option<Sheet> {
         let tool = self.tool();
         let asked = |name: &str| find(given, name);
-        let gap =
-            asked("gap").map_or(tool.as_ref().map_or(GAP, |tool| tool.diameter + SPACING), |(gap, _)| gap);
+        let gap = asked("gap").map_or(tool.as_ref().map_or(GAP, |tool| tool.gap() + SPACING), |(gap, _)| gap);
         let margin = asked("margin").map_or(tool.as_ref().map_or(MARGIN, Tool::margin), |(margin, _)| margin);
         let (length, width) = made.settings.board;
         let sheet = Sheet { length, width, margin, gap };
@@ -96,7 +99,12 @@ impl Work<'_> {
     /// Whether the cutter passes between boards and stays on the raw board.
     fn room_for(&mut self, tool: &Tool, sheet: &Sheet, given: &[SettingValue], span: Span) -> Option<()> {
         let needs = [
-            ("gap", sheet.gap, tool.diameter, "the cutter passes between boards once"),
+            (
+                "gap",
+                sheet.gap,
+                tool.gap(),
+                "the cutter passes between boards once, and leaves its `allowance` at first",
+            ),
             (
                 "margin",
                 sheet.margin,
@@ -187,7 +195,8 @@ impl Work<'_> {
         let (_, machine, _) = self.setting("machine")?;
         let cutter = settings::field(self.hir, machine, "cutter")?;
         let stock_margin = number(self.hir, machine, "margin")?;
-        Some(Tool { diameter: number(self.hir, cutter, "diameter")?, stock_margin })
+        let allowance = number(self.hir, machine, "allowance")?;
+        Some(Tool { diameter: number(self.hir, cutter, "diameter")?, stock_margin, allowance })
     }
 }
 
@@ -195,12 +204,27 @@ impl Work<'_> {
 struct Tool {
     diameter: f64,
     stock_margin: f64,
+    allowance: f64,
 }
 
 impl Tool {
+    /// Between boards.
+    fn gap(&self) -> f64 {
+        self.diameter + self.allowance
+    }
+
     /// From a board to the edge of its sheet.
     fn margin(&self) -> f64 {
-        self.diameter + self.stock_margin
+        self.diameter + self.allowance + self.stock_margin
+    }
+}
+
+/// What of the boards gets a program.
+fn programs(given: &[SettingValue]) -> Programs {
+    match choice(given.iter().find(|(name, _, _)| *name == PROGRAMS)) {
+        Some(1) => Programs::Boards,
+        Some(2) => Programs::Sheets,
+        _ => Programs::Both,
     }
 }
 

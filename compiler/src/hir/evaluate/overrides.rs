@@ -19,6 +19,8 @@ pub struct Overrides {
     /// Values for parameters that a design may have or not, as written, each with the words for where it comes from.
     /// `parameters` win.
     pub defaults: BTreeMap<String, (String, String)>,
+    /// The machine that takes the place of those the fabricate blocks name.
+    pub machine: Option<MachineName>,
     /// Parameters by name, worked out already; these win. For looking for remedies.
     pub values: BTreeMap<String, Scalar>,
     /// A figure whose levels are read higher or lower by so much.
@@ -27,6 +29,25 @@ pub struct Overrides {
     pub leave_unplanarized: bool,
     /// What the design may ask for.
     pub limits: Limits,
+}
+
+/// A machine that is named from outside: a value of a file of the project.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MachineName {
+    /// The path of the file from the root of the project, with `/`.
+    pub file: String,
+    /// The name of the value in it.
+    pub name: String,
+    /// The words for where it comes from: `--machine`.
+    pub whence: String,
+}
+
+impl MachineName {
+    /// File and name out of a text such as `machines.ifs:router`; none where one of them is missing.
+    #[must_use]
+    pub fn split(text: &str) -> Option<(&str, &str)> {
+        text.rsplit_once(':').filter(|(file, name)| !file.trim().is_empty() && !name.trim().is_empty())
+    }
 }
 
 /// A parameter's value as it is used, for reports.
