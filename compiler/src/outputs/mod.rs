@@ -109,8 +109,35 @@ impl Outputs {
     }
 }
 
+/// How far the outputs are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Making {
+    /// So many boards of a block of `of` boards have their programs, each read back.
+    Programs {
+        /// Boards with programs.
+        done: usize,
+        /// All of the block.
+        of: usize,
+    },
+    /// Boards are being nested.
+    Nests,
+    /// Lists and drawings are being made.
+    Lists,
+    /// The reports are being made.
+    Reports,
+}
+
 /// Makes the outputs of a design without errors.
 pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
+    outputs_watched(analysis, selection, &mut |_| ())
+}
+
+/// The same, telling how far it is: before each stage, and before each board of the programs.
+pub fn outputs_watched(
+    analysis: &Analysis,
+    selection: &Selection,
+    watch: &mut dyn FnMut(Making),
+) -> Outputs {
     let mut files = Vec::new();
     if analysis.plan.as_ref().is_none_or(|lowered| lowered.plan.figures().is_empty()) {
         let message = "there is nothing to build: the design has no figures";
@@ -123,15 +150,17 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
         files.push(Output::of_design("model.glb", "model", content));
     }
     if [Format::Nc, Format::Dxf, Format::Btlx].iter().any(|format| selection.makes(*format)) {
-        let diagnostics = board_files(analysis, selection, &mut files);
+        let diagnostics = board_files(analysis, selection, &mut files, watch);
         if !diagnostics.is_empty() {
             return Outputs::failed(diagnostics);
         }
     }
+    watch(Making::Nests);
     let nests = match nests::nests(analysis) {
         Ok(nests) => nests,
         Err(diagnostics) => return Outputs::failed(diagnostics),
     };
+    watch(Making::Lists);
     let mut parts = parts::parts(analysis, &files);
     sheets::mark(&nests, &mut parts);
     if selection.makes(Format::Csv) && !analysis.fabrications.is_empty() {
@@ -146,6 +175,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
         files.extend(labels.map(|(name, sheet)| Output::of_design(&name, "labels", Content::Labels(sheet))));
     }
     if selection.makes(Format::Html) || selection.makes(Format::Json) {
+        watch(Making::Reports);
         let report = report::report(analysis, parts, &nests, &sheet_files);
         if selection.makes(Format::Html) {
             files.push(Output::new("report.html", "report", html::html(analysis, &report, &nests)));
@@ -162,10 +192,15 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
 }
 
 /// Programs and drawings of boards, or what speaks against them.
-fn board_files(analysis: &Analysis, selection: &Selection, files: &mut Vec<Output>) -> Vec<Diagnostic> {
+fn board_files(
+    analysis: &Analysis,
+    selection: &Selection,
+    files: &mut Vec<Output>,
+    watch: &mut dyn FnMut(Making),
+) -> Vec<Diagnostic> {
     let (blocks, mut diagnostics) = programs::blocks(analysis, selection);
     if selection.makes(Format::Nc) {
-        let (programs, found) = programs::programs(&blocks);
+        let (programs, found) = programs::programs(&blocks, watch);
         files.extend(programs);
         diagnostics.extend(found);
     }

@@ -2,7 +2,7 @@
 
 use super::machines::machines;
 use super::names::safe_file_name;
-use super::{Output, Selection, design_hash};
+use super::{Making, Output, Selection, design_hash};
 use crate::analysis::{Analysis, Elements, Fabrication, number};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::export::nc::{self, NcFile};
@@ -63,12 +63,15 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
 }
 
 /// The programs of every block with a machine, or what speaks against them.
-pub(super) fn programs(blocks: &[Block<'_>]) -> (Vec<Output>, Vec<Diagnostic>) {
+pub(super) fn programs(
+    blocks: &[Block<'_>],
+    watch: &mut dyn FnMut(Making),
+) -> (Vec<Output>, Vec<Diagnostic>) {
     let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
     for block in blocks {
         if let Some((machine, span)) = &block.machine {
             let machines: Vec<&Machine> = [machine].into_iter().chain(&block.spares).collect();
-            block_programs(&block.jobs, &machines, *span, &mut outputs, &mut diagnostics);
+            block_programs(&block.jobs, &machines, *span, (&mut outputs, &mut diagnostics), watch);
         }
     }
     (outputs, diagnostics)
@@ -87,11 +90,12 @@ fn block_programs(
     jobs: &[CutJob],
     machines: &[&Machine],
     span: Span,
-    outputs: &mut Vec<Output>,
-    diagnostics: &mut Vec<Diagnostic>,
+    (outputs, diagnostics): (&mut Vec<Output>, &mut Vec<Diagnostic>),
+    watch: &mut dyn FnMut(Making),
 ) {
     let mut failures: Vec<Failure> = Vec::new();
-    for job in jobs {
+    for (done, job) in jobs.iter().enumerate() {
+        watch(Making::Programs { done, of: jobs.len() });
         let number = u32::try_from(outputs.len()).map_or(u32::MAX, |before| before.saturating_add(1));
         match one(job, machines, number) {
             Ok(files) => outputs.extend(files.into_iter().map(|file| {

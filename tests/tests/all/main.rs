@@ -14,6 +14,7 @@ mod format;
 mod html;
 mod imported;
 mod index;
+mod interrupting;
 mod killing;
 mod labels;
 mod library;
