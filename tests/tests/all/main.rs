@@ -15,6 +15,7 @@ mod format;
 mod html;
 mod imported;
 mod index;
+mod interrupting;
 mod killing;
 mod labels;
 mod library;
