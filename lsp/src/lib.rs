@@ -18,6 +18,7 @@ use tower_lsp::LspService;
 use world::names::Names;
 use world::outbox::Outbox;
 
+pub use features::fixes::{Mend, mends};
 pub use world::projects::{Project, Projects};
 
 /// How many requests are worked on beside each other; the others wait for their turn.

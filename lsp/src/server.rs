@@ -1,6 +1,7 @@
 //! The protocol's requests, answered from snapshots. Each handler hands its question to the owner of the documents before
 //! it waits for anything, so that questions and changes keep their order.
 
+mod actions;
 mod answers;
 mod diagnostics;
 mod publish;
@@ -333,6 +334,14 @@ impl LanguageServer for Backend {
 
     async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
         self.ask(&params.text_document.uri, answers::format).await
+    }
+
+    async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
+        let (range, only) = (params.range, params.context.only);
+        self.ask(&params.text_document.uri, move |snapshot| {
+            Some(actions::actions(snapshot, range, only.as_deref()))
+        })
+        .await
     }
 
     async fn document_link(&self, params: DocumentLinkParams) -> Result<Option<Vec<DocumentLink>>> {

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 /// The document that is asked about; it lies beside `RIBS`, and is not laid out.
 const DESIGN: &str = "\
-use std.curves (bezier3)
+use std.curves (bezier3, bspline3)
 use std.materials (birch_plywood)
 use std.surfaces (tensor)
 use \"./ribs.ifs\" (rib, Rib)
@@ -89,6 +89,15 @@ const ROWS: &[Row] = &[
     Row {
         more: || json!({ "options": { "tabSize": 4, "insertSpaces": true } }),
         ..row("/documentFormattingProvider", "textDocument/formatting", "", |it| says(it, "width / 2"))
+    },
+    Row {
+        more: || {
+            let (start, end) = (json!({ "line": 0, "character": 0 }), json!({ "line": 99, "character": 0 }));
+            json!({ "range": { "start": start, "end": end }, "context": { "diagnostics": [] } })
+        },
+        ..row("/codeActionProvider", "textDocument/codeAction", "", |it| {
+            count(it) > 0 && says(it, "bspline3") && it[0]["edit"].is_object()
+        })
     },
     row("/documentLinkProvider", "textDocument/documentLink", "", |it| {
         says(it, "ribs.ifs") && says(it, "curves.ifs")

@@ -9,6 +9,7 @@ mod drawings;
 mod emit;
 mod examples;
 mod figures;
+mod fixes;
 mod fmt;
 mod format;
 mod html;
