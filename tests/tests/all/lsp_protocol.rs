@@ -243,7 +243,8 @@ fn a_panic_is_an_error_reply_and_the_server_lives() {
     assert_eq!(client.request("textDocument/hover", at(failing)).unwrap_err().code, INTERNAL_ERROR);
     client.wait("the failure", |message| message["method"] == "window/logMessage");
     client.change(uri, 2, json!([{ "text": "let a = 1m\n" }]));
-    assert!(client.request("textDocument/hover", at(uri)).unwrap().to_string().contains("Length"));
+    let hover = client.request("textDocument/hover", at(uri)).unwrap().to_string();
+    assert!(hover.contains("Length"), "{hover}");
     client.finish();
     assert!(server.join().unwrap().unwrap(), "shut down in order");
 }
