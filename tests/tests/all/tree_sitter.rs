@@ -28,7 +28,16 @@ fn library() -> PathBuf {
     fs::create_dir_all(library.parent().unwrap()).unwrap();
     let source = grammar().join("src");
     let built = Command::new("cc")
-        .args(["-shared", "-fPIC", "-O1", "-Wall", "-Wextra", "-Werror", "-Wno-unused-but-set-variable", "-I"])
+        .args([
+            "-shared",
+            "-fPIC",
+            "-O1",
+            "-Wall",
+            "-Wextra",
+            "-Werror",
+            "-Wno-unused-but-set-variable",
+            "-I",
+        ])
         .arg(&source)
         .args([source.join("parser.c"), source.join("scanner.c")])
         .arg("-o")
