@@ -13,6 +13,7 @@ use crate::hir::{ImportedMesh, LIBRARY};
 use crate::source::{FileId, Files, ReadError, SourceMap, Span};
 use crate::syntax::{Parse, ast, parse};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// The most files a design may be made of.
 pub const MOST_FILES: usize = 1000;
@@ -57,7 +58,7 @@ pub(super) struct Loaded {
     pub(super) files: Vec<ProjectFile>,
     /// The meshes that any of them names and that could be read, in the order they are met.
     pub(super) meshes: Vec<MeshFile>,
-    pub(super) library: Library,
+    pub(super) library: &'static Library,
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
@@ -90,10 +91,9 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
             });
         }
     }
-    let mut library = Library::default();
+    let library = library();
     for (name, text) in LIBRARY {
-        let file = loader.sources.add(format!("std.{name}"), *text);
-        library.modules.push((name, file, parse_of(&loader.sources, file).ast));
+        loader.sources.add(format!("std.{name}"), *text);
     }
     let mut next = 0;
     while next < loader.found.len() {
@@ -109,6 +109,20 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
         library,
         diagnostics: loader.diagnostics,
     }
+}
+
+/// The library, parsed once: its files stand behind the design's own in every analysis, so they go by the same identities.
+fn library() -> &'static Library {
+    static PARSED: OnceLock<Library> = OnceLock::new();
+    PARSED.get_or_init(|| {
+        let mut sources = SourceMap::default();
+        sources.add("", "");
+        let modules = LIBRARY.iter().map(|(name, text)| {
+            let file = sources.add(format!("std.{name}"), *text);
+            (*name, file, parse_of(&sources, file).ast)
+        });
+        Library { modules: modules.collect() }
+    })
 }
 
 fn parse_of(sources: &SourceMap, file: FileId) -> Parse {

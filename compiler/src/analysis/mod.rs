@@ -144,7 +144,7 @@ fn read_by(
     for file in loaded.files.iter().filter(|file| file.readable) {
         diagnostics.extend(file.parse.diagnostics.iter().cloned());
     }
-    let Checked { hir, diagnostics: found, index } = check(&modules(&loaded.files, &loaded.library));
+    let Checked { hir, diagnostics: found, index } = check(&modules(&loaded.files, loaded.library));
     diagnostics.extend(cascades::without(found, &loaded.files, &loaded.sources));
     if !diagnostics.has_errors() {
         diagnostics.extend(unknown_parameters(&hir, &loaded.sources, overrides));
@@ -206,6 +206,9 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch)
     let mut fabrications = Vec::new();
     if let Some(plan) = &plan {
         for block in &hir.fabricates {
+            if watch.step().is_break() {
+                break;
+            }
             let (made, found) = fabrication::fabricate(hir, &mut evaluator, plan, block, watch);
             diagnostics.extend(found);
             fabrications.extend(made);
@@ -213,7 +216,7 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch)
     }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
     if mend {
-        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated);
+        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated, watch);
         let failed: Vec<Diagnostic> = evaluated
             .fabrications
             .iter()
