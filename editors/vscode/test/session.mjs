@@ -18,6 +18,7 @@ const step = async (name, act) => {
   } catch (fault) {
     failed += 1;
     console.log(`FAILED  ${name}: ${String(fault.message).split("\n")[0]}`);
+    console.log("        marks:", await page.$$eval("[class*=squiggly]", (marks) => marks.map((mark) => mark.className)));
   }
   await page.screenshot({ path: `${pictures}/${name.replaceAll(" ", "-")}.png` });
 };
@@ -54,17 +55,26 @@ await step("open", async () => {
   await page.waitForSelector(".statusbar-item >> text=ifs", { timeout: 20000 });
 });
 await step("error under the word", async () => {
-  await page.waitForSelector(".squiggly-error", { timeout: 30000 });
-  const word = await page.evaluate(() => {
+  await go(16, 18);
+  await press("F8");
+  await page.waitForSelector(".squiggly-error", { state: "attached", timeout: 20000 });
+  // Where the squiggle is, in columns of the line it lies on.
+  const marked = await page.evaluate(() => {
     const mark = document.querySelector(".squiggly-error").getBoundingClientRect();
-    const at = document.caretRangeFromPoint(mark.left + mark.width / 2, mark.top + mark.height / 2);
+    const middle = mark.top + mark.height / 2;
     const line = [...document.querySelectorAll(".view-line")].find((line) => {
       const box = line.getBoundingClientRect();
-      return box.top <= mark.top + 2 && mark.top + 2 < box.bottom;
+      return box.top <= middle && middle < box.bottom;
     });
-    return { line: line?.textContent ?? "", width: mark.width, at: at?.startContainer?.textContent };
+    const spans = [...(line?.querySelectorAll("span span") ?? [])];
+    const under = (span) => {
+      const box = span.getBoundingClientRect();
+      return box.left < mark.right - 2 && mark.left + 2 < box.right;
+    };
+    return { text: spans.filter(under).map((span) => span.textContent).join(""), width: mark.width };
   });
-  if (!word.line.replaceAll("\u00a0", " ").includes("spann")) throw new Error(`the squiggle is on: ${word.line}`);
+  if (!marked.text.includes("spann")) throw new Error(`the squiggle is under: ${JSON.stringify(marked)}`);
+  await press("Escape");
 });
 await step("quick fix", async () => {
   const [line, column] = [16, 18];
