@@ -47,7 +47,7 @@ const save = async (holds) => {
   throw new Error("the saved text is not what was expected");
 };
 
-await page.goto(`${url}/?folder=${folder}&payload=[["openFile","vscode-remote://localhost${folder}/vault.ifs"]]`);
+await page.goto(`${url}/?folder=${folder}&payload=[["openFile","vscode-remote://${new URL(url).host}${folder}/vault.ifs"]]`);
 await step("open", async () => {
   await page.waitForSelector(".monaco-workbench .explorer-folders-view", { timeout: 60000 });
   await page.waitForSelector(".monaco-editor .view-line", { timeout: 30000 });
