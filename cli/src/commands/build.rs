@@ -34,7 +34,8 @@ fn make(build: &Build, format: MessageFormat) -> Exit {
         Ok(project) => project,
         Err(exit) => return exit,
     };
-    let Analysed { analysis, sources, exit } = project.analyse_watched(&build.settings, format, &mut Watching);
+    let Analysed { analysis, sources, exit } =
+        project.analyse_watched(&build.settings, format, &mut Watching);
     let out = build.out.clone().unwrap_or_else(|| project.out(&analysis.design_name()));
     let selection = Selection { formats: formats(&build.emit), only: build.only.clone() };
     if exit != Exit::Good {

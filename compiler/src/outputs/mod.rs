@@ -133,11 +133,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
 }
 
 /// The same, telling how far it is: before each stage, and before each board of the programs.
-pub fn outputs_watched(
-    analysis: &Analysis,
-    selection: &Selection,
-    watch: &mut dyn FnMut(Making),
-) -> Outputs {
+pub fn outputs_watched(analysis: &Analysis, selection: &Selection, watch: &mut dyn FnMut(Making)) -> Outputs {
     let mut files = Vec::new();
     if analysis.plan.as_ref().is_none_or(|lowered| lowered.plan.figures().is_empty()) {
         let message = "there is nothing to build: the design has no figures";

@@ -139,7 +139,9 @@ fn a_build_that_is_asked_to_stop_leaves_the_folder_as_it_was() {
             slowest = slowest.max(took);
         }
     }
-    println!("{in_the_making} stopped in the making of a set, {too_late} too late, the slowest took {slowest:?}");
+    println!(
+        "{in_the_making} stopped in the making of a set, {too_late} too late, the slowest took {slowest:?}"
+    );
     assert!(in_the_making >= 3 && too_late <= 4, "the signals met no build where it matters");
 }
 
