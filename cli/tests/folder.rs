@@ -25,8 +25,7 @@ fn provenance() -> Provenance {
     Provenance {
         sources: vec![SourceRecord::of("vault.ifs", b"figure"), SourceRecord::of("ribs/a.ifs", b"")],
         parameters: BTreeMap::from([("span".to_owned(), "6m".to_owned())]),
-        left_out: None,
-        failed: false,
+        ..Provenance::default()
     }
 }
 

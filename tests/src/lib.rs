@@ -9,6 +9,7 @@
 )]
 
 pub mod annotations;
+pub mod client;
 pub mod designs;
 pub mod fraction;
 pub mod generate;

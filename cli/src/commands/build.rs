@@ -7,8 +7,8 @@ use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::Diagnostic;
 use ifs_compiler::outputs::nests::Nests;
 use ifs_compiler::outputs::{
-    DIAGNOSTICS, Format, LeftOut, Output, Selection, board_names, diagnostics_json, outputs_watched,
-    parameter_texts, project_sources,
+    DIAGNOSTICS, Format, LeftOut, Output, Selection, board_names, diagnostics_json, machine_text,
+    outputs_watched, parameter_texts, project_sources,
 };
 
 use super::{table, tell};
@@ -30,10 +30,13 @@ pub fn build(build: &Build, format: MessageFormat) -> Exit {
 }
 
 fn make(build: &Build, format: MessageFormat) -> Exit {
-    let project = match Project::open(&build.file, format) {
+    let mut project = match Project::open(&build.file, format) {
         Ok(project) => project,
         Err(exit) => return exit,
     };
+    if let Some(machine) = &build.machine {
+        project.cut_by(machine, "`--machine`");
+    }
     let Analysed { analysis, sources, exit } =
         project.analyse_watched(&build.settings, format, &mut Watching);
     let out = build.out.clone().unwrap_or_else(|| project.out(&analysis.design_name()));
@@ -118,7 +121,9 @@ fn provenance(analysis: &Analysis) -> Provenance {
     let sources = project_sources(analysis);
     let sources = sources.iter().map(|(path, bytes)| SourceRecord::of(path, bytes)).collect();
     let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
-    Provenance { sources, parameters, ..Provenance::default() }
+    // Those of an `ifs.toml` may be of other designs.
+    let set = analysis.set_parameters.iter().filter(|name| parameters.contains_key(*name)).cloned().collect();
+    Provenance { sources, parameters, set, machine: machine_text(analysis), ..Provenance::default() }
 }
 
 /// What `--emit` asks for; everything where it is not given.
