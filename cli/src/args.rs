@@ -90,6 +90,10 @@ pub struct Build {
     /// characters, `?` for one; may be repeated
     #[arg(long, value_name = "PATTERN")]
     pub only: Vec<String>,
+
+    /// Print diagnostics and nothing else: no line of progress on the terminal, no table of what was made
+    #[arg(short, long)]
+    pub quiet: bool,
 }
 
 /// `ifs fmt`.

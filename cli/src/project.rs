@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 use ifs_compiler::analysis::project::{
     ProjectSettings, misspelt_parameters, read_project, unreadable_project,
 };
-use ifs_compiler::analysis::{Analysis, analyse, read};
+use ifs_compiler::analysis::{Analysis, Unwatched, Watch, analyse, analyse_watched, read};
 use ifs_compiler::diagnostic::Diagnostic;
 use ifs_compiler::hir::evaluate::{MachineName, Overrides};
 use ifs_compiler::source::{FileId, SourceMap};
@@ -137,7 +137,18 @@ impl Project {
 
     /// Analyses the design and tells what it finds.
     pub fn analyse(&self, settings: &[Setting], format: MessageFormat) -> Analysed {
-        self.told(analyse(&self.disk, &self.disk.design, &self.overrides(settings)), format)
+        self.analyse_watched(settings, format, &mut Unwatched)
+    }
+
+    /// The same, telling how far it is where it takes long.
+    pub fn analyse_watched(
+        &self,
+        settings: &[Setting],
+        format: MessageFormat,
+        watch: &mut dyn Watch,
+    ) -> Analysed {
+        let overrides = self.overrides(settings);
+        self.told(analyse_watched(&self.disk, &self.disk.design, &overrides, watch), format)
     }
 
     /// The same with nothing set but what is given here.

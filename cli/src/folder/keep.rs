@@ -18,6 +18,7 @@ impl Staging {
             if record.path == except || !source.is_file() {
                 continue;
             }
+            self.go_on()?;
             self.make_folders(&copy)?;
             link(&source, &copy).map_err(FolderError::io("keep", &source))?;
             self.files.insert(record.path.clone(), record);

@@ -14,6 +14,7 @@ use crate::hir::{ImportedMesh, LIBRARY};
 use crate::source::{FileId, Files, ReadError, SourceMap, Span};
 use crate::syntax::{Parse, ast, parse};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// The most files a design may be made of.
 pub const MOST_FILES: usize = 1000;
@@ -60,7 +61,7 @@ pub(super) struct Loaded {
     pub(super) meshes: Vec<MeshFile>,
     /// The file in which a machine is named from outside.
     pub(super) machine: Option<FileId>,
-    pub(super) library: Library,
+    pub(super) library: &'static Library,
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
@@ -94,10 +95,9 @@ pub(super) fn load(files: &dyn Files, root: &str, machine: Option<&MachineName>)
             });
         }
     }
-    let mut library = Library::default();
+    let library = library();
     for (name, text) in LIBRARY {
-        let file = loader.sources.add(format!("std.{name}"), *text);
-        library.modules.push((name, file, parse_of(&loader.sources, file).ast));
+        loader.sources.add(format!("std.{name}"), *text);
     }
     let machine = machine.and_then(|machine| loader.machine(machine));
     let mut next = 0;
@@ -115,6 +115,20 @@ pub(super) fn load(files: &dyn Files, root: &str, machine: Option<&MachineName>)
         library,
         diagnostics: loader.diagnostics,
     }
+}
+
+/// The library, parsed once: its files stand behind the design's own in every analysis, so they go by the same identities.
+fn library() -> &'static Library {
+    static PARSED: OnceLock<Library> = OnceLock::new();
+    PARSED.get_or_init(|| {
+        let mut sources = SourceMap::default();
+        sources.add("", "");
+        let modules = LIBRARY.iter().map(|(name, text)| {
+            let file = sources.add(format!("std.{name}"), *text);
+            (*name, file, parse_of(&sources, file).ast)
+        });
+        Library { modules: modules.collect() }
+    })
 }
 
 fn parse_of(sources: &SourceMap, file: FileId) -> Parse {

@@ -154,7 +154,7 @@ fn read_by(
         let file = found.map_or_else(|| named.file.clone(), |file| file.path.clone());
         MachineName { file, ..named.clone() }
     });
-    let Checked { mut hir, diagnostics: found, index } = check(&modules(&loaded.files, &loaded.library));
+    let Checked { mut hir, diagnostics: found, index } = check(&modules(&loaded.files, loaded.library));
     diagnostics.extend(cascades::without(found, &loaded.files, &loaded.sources));
     if !diagnostics.has_errors() {
         diagnostics.extend(unknown_parameters(&hir, &loaded.sources, overrides));
@@ -226,6 +226,9 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch)
     };
     if let Some(plan) = &plan {
         for block in &hir.fabricates {
+            if watch.step().is_break() {
+                break;
+            }
             let (made, found) =
                 fabrication::fabricate(hir, &mut evaluator, plan, (block, machine.as_ref()), watch);
             diagnostics.extend(found);
@@ -234,7 +237,7 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch)
     }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
     if mend {
-        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated);
+        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated, watch);
         let failed: Vec<Diagnostic> = evaluated
             .fabrications
             .iter()

@@ -88,7 +88,14 @@ impl Index {
         self.references.sort_by_key(|reference| (place(&reference.span), reference.target));
         self.references.dedup();
         self.declarations.sort_by_key(|declaration| place(&declaration.span));
-        self.declarations.dedup_by_key(|declaration| declaration.span);
+        // An item is declared before it is checked, and once more with its type.
+        self.declarations.dedup_by(|later, earlier| {
+            let same = later.span == earlier.span;
+            if same {
+                std::mem::swap(later, earlier);
+            }
+            same
+        });
         self.types.sort_by_key(|(span, _)| (span.file, span.start, std::cmp::Reverse(span.end)));
         // A group and what is in it, or an expression and its conversion: the last one recorded is the outer one.
         self.types.dedup_by(|later, earlier| {

@@ -350,6 +350,15 @@ pub struct Expr {
     pub span: Span,
 }
 
+/// Whether an expression is a number as it stands there, perhaps with its sign, so that another can be written instead.
+pub fn is_literal(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Scalar(_) => true,
+        ExprKind::Negate(inner) | ExprKind::Convert(inner) => is_literal(inner),
+        _ => false,
+    }
+}
+
 /// What an expression is.
 #[derive(Clone, Debug)]
 pub enum ExprKind {

@@ -111,8 +111,31 @@ impl Outputs {
     }
 }
 
+/// How far the outputs are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Making {
+    /// So many boards of a block of `of` boards have their programs, each read back.
+    Programs {
+        /// Boards with programs.
+        done: usize,
+        /// All of the block.
+        of: usize,
+    },
+    /// Boards are being nested.
+    Nests,
+    /// Lists and drawings are being made.
+    Lists,
+    /// The reports are being made.
+    Reports,
+}
+
 /// Makes the outputs of a design without errors.
 pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
+    outputs_watched(analysis, selection, &mut |_| ())
+}
+
+/// The same, telling how far it is: before each stage, and before each board of the programs.
+pub fn outputs_watched(analysis: &Analysis, selection: &Selection, watch: &mut dyn FnMut(Making)) -> Outputs {
     let mut files = Vec::new();
     if analysis.plan.as_ref().is_none_or(|lowered| lowered.plan.figures().is_empty()) {
         let message = "there is nothing to build: the design has no figures";
@@ -124,16 +147,18 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
         let content = Content::Model(Box::new(OwnedModel::of(analysis)));
         files.push(Output::of_design("model.glb", "model", content));
     }
+    watch(Making::Nests);
     let nests = match nests::nests(analysis) {
         Ok(nests) => nests,
         Err(diagnostics) => return Outputs::failed(diagnostics),
     };
     if [Format::Nc, Format::Dxf, Format::Btlx].iter().any(|format| selection.makes(*format)) {
-        let diagnostics = cut_files(analysis, selection, &nests, &mut files);
+        let diagnostics = cut_files(analysis, selection, &nests, &mut files, watch);
         if !diagnostics.is_empty() {
             return Outputs::failed(diagnostics);
         }
     }
+    watch(Making::Lists);
     let mut parts = parts::parts(analysis, &files);
     sheets::mark(&nests, &mut parts);
     if selection.makes(Format::Csv) && !analysis.fabrications.is_empty() {
@@ -146,6 +171,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
         files.extend(labels.map(|(name, sheet)| Output::of_design(&name, "labels", Content::Labels(sheet))));
     }
     if selection.makes(Format::Html) || selection.makes(Format::Json) {
+        watch(Making::Reports);
         let report = report::report(analysis, parts, &nests, &sheets::files_of(&files));
         if selection.makes(Format::Html) {
             files.push(Output::new("report.html", "report", html::html(analysis, &report, &nests)));
@@ -167,13 +193,14 @@ fn cut_files(
     selection: &Selection,
     nests: &Nests,
     files: &mut Vec<Output>,
+    watch: &mut dyn FnMut(Making),
 ) -> Vec<Diagnostic> {
     let (blocks, mut diagnostics) = programs::blocks(analysis, selection);
     if !diagnostics.is_empty() {
         return diagnostics;
     }
     if selection.makes(Format::Nc) {
-        let (programs, found) = programs::programs(&blocks, nests);
+        let (programs, found) = programs::programs(&blocks, nests, watch);
         diagnostics.extend(found);
         let (of_sheets, found) = sheet_programs::programs(&blocks, nests, programs.len());
         diagnostics.extend(found);

@@ -4,7 +4,7 @@ use super::machines::machines;
 use super::names::safe_file_name;
 use super::nests::{Nests, SheetNest};
 use super::sheet_programs::is_wanted;
-use super::{Output, Selection, design_hash};
+use super::{Making, Output, Selection, design_hash};
 use crate::analysis::{Analysis, Elements, Fabrication, Programs, number};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::export::nc::{self, NcFile};
@@ -90,14 +90,18 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
 }
 
 /// The programs of the boards of every block with a machine, or what speaks against them.
-pub(super) fn programs(blocks: &[Block<'_>], nests: &Nests) -> (Vec<Output>, Vec<Diagnostic>) {
+pub(super) fn programs(
+    blocks: &[Block<'_>],
+    nests: &Nests,
+    watch: &mut dyn FnMut(Making),
+) -> (Vec<Output>, Vec<Diagnostic>) {
     let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
     let in_sheets = cut_in_sheets(blocks, nests);
     for (place, block) in blocks.iter().enumerate() {
         if let Some((_, span)) = &block.machine {
             let alone = block.jobs().filter(|(board, _)| !in_sheets.contains(&(place, *board)));
             let jobs: Vec<&CutJob> = alone.map(|(_, job)| job).collect();
-            block_programs(&jobs, &block.machines(), *span, &mut outputs, &mut diagnostics);
+            block_programs(&jobs, &block.machines(), *span, (&mut outputs, &mut diagnostics), watch);
         }
     }
     (outputs, diagnostics)
@@ -127,11 +131,12 @@ fn block_programs(
     jobs: &[&CutJob],
     machines: &[&Machine],
     span: Span,
-    outputs: &mut Vec<Output>,
-    diagnostics: &mut Vec<Diagnostic>,
+    (outputs, diagnostics): (&mut Vec<Output>, &mut Vec<Diagnostic>),
+    watch: &mut dyn FnMut(Making),
 ) {
     let mut failures: Vec<Failure> = Vec::new();
-    for job in jobs {
+    for (done, job) in jobs.iter().enumerate() {
+        watch(Making::Programs { done, of: jobs.len() });
         let number = u32::try_from(outputs.len()).map_or(u32::MAX, |before| before.saturating_add(1));
         match one(job, machines, number) {
             Ok(files) => outputs.extend(files.into_iter().map(|file| {

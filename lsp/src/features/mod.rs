@@ -2,6 +2,7 @@
 //! and no document lives here.
 
 pub(crate) mod definition;
+pub(crate) mod fixes;
 pub(crate) mod format;
 pub(crate) mod hover;
 pub(crate) mod links;

@@ -3,7 +3,7 @@
 
 use super::super::settings::{self, SettingValue, choice, number};
 use super::{Elements, Nest, PanelsMade, PlanksMade, Programs, Work};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Grain, Panel};
 use crate::fabricate::plank::Plank;
@@ -18,6 +18,9 @@ const MARGIN: f64 = 10.0;
 
 /// What is left beyond the cutter where the design does not say the gap, mm.
 const SPACING: f64 = 2.0;
+
+/// What mitres and cuts may take of a bar beside the length of a plank, mm.
+const TRIMMED: f64 = 200.0;
 
 /// What a saw blade takes where the design does not say it, mm.
 const KERF: f64 = 4.0;
@@ -71,7 +74,14 @@ impl Work<'_> {
                 length.min(width) / 2.0
             );
             let diagnostic = Diagnostic::new(Code::E0930, place, message).label("no room is left");
-            self.diagnostics.push(diagnostic.hint("use a smaller `margin` or a larger `board`"));
+            let fixes = match asked("margin") {
+                Some((_, place)) if MARGIN < length.min(width) / 2.0 => {
+                    let title = format!("set `margin` to {MARGIN}mm instead of {margin}mm");
+                    vec![Fix::titled(title).with(place, format!("{MARGIN}mm"))]
+                }
+                _ => Vec::new(),
+            };
+            self.diagnostics.push(diagnostic.ways("use a smaller `margin` or a larger `board`", fixes));
             return None;
         }
         if let Some(tool) = tool {
@@ -112,8 +122,12 @@ impl Work<'_> {
                 tool.diameter
             );
             let diagnostic = Diagnostic::new(Code::E0931, place, message).label("too small").note(why);
-            self.diagnostics
-                .push(diagnostic.hint(format!("write `{name}: {least}mm`, or leave `{name}` out")));
+            let fixes = find(given, name).map(|(_, place)| {
+                let title = format!("set `{name}` to {least}mm instead of {value}mm");
+                Fix::titled(title).with(place, format!("{least}mm"))
+            });
+            let hint = format!("write `{name}: {least}mm`, or leave `{name}` out");
+            self.diagnostics.push(diagnostic.ways(hint, fixes.into_iter().collect()));
             return None;
         }
         Some(())
@@ -123,7 +137,16 @@ impl Work<'_> {
         let Some((_, length, _)) = self.setting("stock") else {
             let message = "planks are nested on bars, but the block does not say how long a bar is";
             let diagnostic = Diagnostic::new(Code::E0933, span, message).label("on bars of which length?");
-            self.diagnostics.push(diagnostic.hint("add the length of a raw bar: `stock: 4m`"));
+            // Whole metres that the longest plank can be cut from, and what trade sells at least.
+            let longest = made.planks.iter().map(|made| made.length).fold(0.0, f64::max);
+            let metres = ((longest + TRIMMED) / 1000.0).ceil().max(4.0);
+            let block = self.block.settings.iter().find(|setting| setting.name == "nest");
+            let fixes = block.map(|setting| {
+                Fix::titled(format!("add `stock: {metres}m`: the longest plank is {}mm", longest.ceil()))
+                    .with(before(setting.name_span), format!("stock: {metres}m\n    "))
+            });
+            let hint = "add the length of a raw bar: `stock: 4m`";
+            self.diagnostics.push(diagnostic.ways(hint, fixes.into_iter().collect()));
             return None;
         };
         let length = length.number().unwrap_or(0.0);
@@ -138,7 +161,10 @@ impl Work<'_> {
                 length / 2.0
             );
             let diagnostic = Diagnostic::new(Code::E0930, place, message).label("no room is left");
-            self.diagnostics.push(diagnostic.hint("use a smaller `trim` or longer `stock`"));
+            let title = format!("set `trim` to 0mm instead of {trim}mm");
+            let fixes = find(given, "trim").map(|(_, place)| Fix::titled(title).with(place, "0mm"));
+            let hint = "use a smaller `trim` or longer `stock`";
+            self.diagnostics.push(diagnostic.ways(hint, fixes.into_iter().collect()));
             return None;
         }
         let named = made.planks.iter().filter_map(|made| {
@@ -200,6 +226,11 @@ fn programs(given: &[SettingValue]) -> Programs {
         Some(2) => Programs::Sheets,
         _ => Programs::Both,
     }
+}
+
+/// Where something can be put before a name.
+fn before(name: Span) -> Span {
+    Span::new(name.file, name.start, name.start)
 }
 
 fn find(given: &[SettingValue], name: &str) -> Option<(f64, Span)> {

@@ -25,6 +25,7 @@ mod scope;
 mod test;
 mod transform;
 mod type_expr;
+mod units;
 mod until;
 
 use super::index::Index;

@@ -1,11 +1,11 @@
 //! Parameters set from outside, their ranges, and levels shifted while a remedy is looked for.
 
 use super::{Evaluator, Limits, Outcome, Stop};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::exact::Rational;
 use crate::hir::dimension::{Worth, unit_worth};
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::{ItemId, Param};
+use crate::hir::tree::{ItemId, Param, is_literal};
 use crate::hir::types::Type;
 use crate::hir::value::Value;
 use crate::syntax::ast::Unit;
@@ -196,10 +196,20 @@ impl Evaluator<'_> {
             format!("`{name}` is {}, outside of its range {} .. {}", words(value), words(least), words(most));
         let nearest = if inside(value, least) { words(least) } else { words(most) };
         let place = if set.is_some() { name_span } else { param.default.value.span };
+        let fixes = match (&set, is_literal(&param.default.value)) {
+            (None, true) => {
+                let title = format!(
+                    "set `{name}` to {nearest}, the nearest in its range, instead of {}",
+                    words(value)
+                );
+                vec![Fix::titled(title).with(place, nearest.clone())]
+            }
+            _ => Vec::new(),
+        };
         let diagnostic = Diagnostic::new(Code::E0601, place, message)
             .label(if set.is_some() { "set from outside" } else { "its default" })
             .also(range_span, "its range")
-            .hint(format!("the nearest value in the range is {nearest}"));
+            .ways(format!("the nearest value in the range is {nearest}"), fixes);
         Err(self.report(said_by(diagnostic, set.flatten())))
     }
 }
