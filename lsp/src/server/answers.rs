@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
 
 use ifs_compiler::analysis::{Analysis, read_indexed};
-use ifs_compiler::hir::index::Target;
+use ifs_compiler::hir::index::{DeclarationKind, Target};
 use ifs_compiler::source::Span;
 use tower_lsp::ls_types::*;
 
@@ -105,7 +105,12 @@ fn everywhere(
     spans: impl Fn(&Analysis, Span) -> Result<Vec<Span>, String>,
 ) -> Result<Vec<Place>, String> {
     let home = snapshot.places.path(&snapshot.analysis, declared.file).unwrap_or_default();
-    let local = snapshot.analysis.index.declaration(declared).is_some_and(|found| found.scope.is_some());
+    // A parameter can be named in calls from other files.
+    let local = snapshot
+        .analysis
+        .index
+        .declaration(declared)
+        .is_some_and(|found| found.scope.is_some() && !matches!(found.kind, DeclarationKind::Field(..)));
     let all = if local { vec![(snapshot.places.clone(), None)] } else { project(snapshot) };
     let mut found = Vec::new();
     for (places, analysis) in &all {
