@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The long run, beside tests/run.sh: every fuzz target for some minutes each (10 unless given), from the texts of the tree.
 # Then 10,000 random boards in each dialect of NC programs go before rs274 and shapely.
+# At last the editors: VS Code and Emacs themselves open a design (tests/editors.sh).
 # What a target finds lies in fuzz/artifacts/; the smallest form of it belongs into tests/corpus/.
 #   tests/acceptance.sh [MINUTES]
 set -euo pipefail
@@ -23,4 +24,5 @@ fuzz parse "${texts[@]}"
 fuzz analyse "${texts[@]}"
 fuzz design
 NC_BOARDS=10000 cargo test --release -p ifs-tests --test all -- nc::random_boards
+tests/editors.sh
 echo "acceptance: nothing found in $minutes minutes a target"

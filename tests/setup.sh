@@ -2,9 +2,9 @@
 # Installs by package name what the tests need beside Rust: the foreign referees of what ifs writes.
 #   Debian  linuxcnc-uspace (rs274), nodejs, npm, python3 with venv, g++, libosd-dev (OpenSubdiv, into target/referees),
 #           chromium with fonts-liberation, poppler-utils (pdfinfo, pdftotext), librsvg2-bin (rsvg-convert),
-#           zbar-tools (zbarimg)
-#   npm     gltf-validator                             into tests/referees/node_modules
-#   PyPI    compas_timber ezdxf geomdl numpy scipy shapely trimesh, into target/referees
+#           zbar-tools (zbarimg), neovim (0.7 or later)
+#   npm     gltf-validator vscode-oniguruma vscode-textmate, into tests/referees/node_modules
+#   PyPI    compas_timber ezdxf geomdl numpy pytest-lsp scipy shapely tree-sitter trimesh, into target/referees
 # Quick when everything is there. As root on Debian it installs packages; otherwise it says which are missing and fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -26,6 +26,7 @@ install_debian_packages() {
     command -v cc >/dev/null || missing+=(gcc libc6-dev)
     command -v rsvg-convert >/dev/null || missing+=(librsvg2-bin)
     command -v zbarimg >/dev/null || missing+=(zbar-tools)
+    command -v nvim >/dev/null || missing+=(neovim)
     command -v g++ >/dev/null || missing+=(g++)
     [ -e /usr/include/opensubdiv/far/primvarRefiner.h ] || missing+=(libosd-dev)
     python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3 python3-venv)

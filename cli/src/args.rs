@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use ifs_compiler::hir::evaluate::MachineName;
 
 /// What else can be set, and what wins.
 const SETTINGS: &str = "\
 The file ifs.toml marks the folder of a project and may set for all its designs:
   out = \"made\"      the folder, in the project, in which each design has its output folder
+  machine = \"machines.ifs:router\"   a file of the project and a machine in it, in the place of those of designs
   [params]           below it, values of parameters: span = \"7m\"
-Variables of the environment set the same: IFS_OUT, and IFS_PARAM_SPAN=7m for the parameter `span`.
+Variables of the environment set the same: IFS_OUT, IFS_MACHINE, and IFS_PARAM_SPAN=7m for the parameter `span`.
 An argument wins over a variable, that over ifs.toml, that over the design's own default.";
 
 /// A compiler for free-form timber: from a design in equations to models, lists and machine programs.
@@ -75,6 +77,11 @@ pub struct Build {
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub settings: Vec<Setting>,
 
+    /// The machine that cuts, in the place of those the design names: a file of the project and the name of a machine in
+    /// it, as in machines.ifs:router; else IFS_MACHINE, or the `machine` of ifs.toml
+    #[arg(long, value_name = "FILE:NAME")]
+    pub machine: Option<NamedMachine>,
+
     /// Make only these outputs, separated by commas; all files where it is not given
     #[arg(long, value_enum, value_delimiter = ',', value_name = "OUTPUT")]
     pub emit: Vec<Emit>,
@@ -83,6 +90,10 @@ pub struct Build {
     /// characters, `?` for one; may be repeated
     #[arg(long, value_name = "PATTERN")]
     pub only: Vec<String>,
+
+    /// Print diagnostics and nothing else: no line of progress on the terminal, no table of what was made
+    #[arg(short, long)]
+    pub quiet: bool,
 }
 
 /// `ifs fmt`.
@@ -119,6 +130,11 @@ pub struct Verify {
     /// The output folder of a build
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+
+    /// Also build this design again, with the parameters, the machine and the choice of outputs that the folder was built
+    /// with, and compare all files byte by byte
+    #[arg(long, value_name = "DESIGN")]
+    pub source: Option<PathBuf>,
 }
 
 /// `ifs params`.
@@ -173,9 +189,9 @@ pub enum MessageFormat {
 pub enum Emit {
     /// The model, model.glb
     Glb,
-    /// Machine programs, boards/*.nc
+    /// Machine programs, boards/*.nc, and of nested sheets, sheets/*.nc
     Nc,
-    /// Drawings of boards, boards/*.dxf
+    /// Drawings of boards, boards/*.dxf, and of nested sheets, sheets/*.dxf
     Dxf,
     /// Parts for timber machines, model.btlx
     Btlx,
@@ -198,6 +214,25 @@ pub struct Setting {
     pub name: String,
     /// Its value, as written.
     pub value: String,
+}
+
+/// A machine of a file: `machines.ifs:router`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NamedMachine {
+    /// The file, from the working folder.
+    pub file: PathBuf,
+    /// The name of the machine in it.
+    pub name: String,
+}
+
+impl std::str::FromStr for NamedMachine {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<NamedMachine, String> {
+        let (file, name) = MachineName::split(text)
+            .ok_or("a machine is a file, `:` and a name in it, as in machines.ifs:router")?;
+        Ok(NamedMachine { file: PathBuf::from(file), name: name.to_owned() })
+    }
 }
 
 impl std::str::FromStr for Setting {

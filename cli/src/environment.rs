@@ -1,4 +1,4 @@
-//! The variables of the environment that set something: `IFS_OUT`, and `IFS_PARAM_` with a parameter's name in capitals.
+//! The variables of the environment that set something: `IFS_OUT`, `IFS_MACHINE`, and `IFS_PARAM_` with a parameter's name in capitals.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -9,6 +9,11 @@ const PARAMETER: &str = "IFS_PARAM_";
 /// `IFS_OUT`: the folder in which each design has its output folder.
 pub fn out() -> Option<PathBuf> {
     std::env::var_os("IFS_OUT").filter(|value| !value.is_empty()).map(PathBuf::from)
+}
+
+/// `IFS_MACHINE`: the file and name of the machine that cuts; one that is not UTF-8 is none.
+pub fn machine() -> Option<String> {
+    std::env::var("IFS_MACHINE").ok().filter(|value| !value.is_empty())
 }
 
 /// Where programs keep what they can make again: `XDG_CACHE_HOME`, else `.cache` at home; the system's own place elsewhere.

@@ -16,6 +16,8 @@ pub enum Exit {
     InputOutput = 3,
     /// A limit was hit: the design asks for more elements than allowed, or nests too deep.
     Limit = 4,
+    /// Ctrl-C or a plain `kill`; what was there before is untouched.
+    Interrupted = 130,
 }
 
 impl From<Exit> for ExitCode {

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use crate::exit::Exit;
+use crate::progress;
 
 /// Prints data on stdout, as it is.
 ///
@@ -10,6 +11,7 @@ use crate::exit::Exit;
 /// [`Exit::InputOutput`] if stdout takes no more (a full disk), after saying so on stderr. A closed pipe, as of
 /// `ifs build … | head -1`, is no error: whoever read has what they wanted.
 pub fn data(text: &str) -> Result<(), Exit> {
+    progress::hide();
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
@@ -22,5 +24,6 @@ pub fn data(text: &str) -> Result<(), Exit> {
 
 /// Prints a message on stderr, as it is. If stderr is closed there is nobody to tell.
 pub fn message(text: &str) {
+    progress::hide();
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }

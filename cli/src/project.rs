@@ -6,12 +6,12 @@ use std::path::{Component, Path, PathBuf};
 use ifs_compiler::analysis::project::{
     ProjectSettings, misspelt_parameters, read_project, unreadable_project,
 };
-use ifs_compiler::analysis::{Analysis, analyse, read};
+use ifs_compiler::analysis::{Analysis, Unwatched, Watch, analyse, analyse_watched, read};
 use ifs_compiler::diagnostic::Diagnostic;
-use ifs_compiler::hir::evaluate::Overrides;
+use ifs_compiler::hir::evaluate::{MachineName, Overrides};
 use ifs_compiler::source::{FileId, SourceMap};
 
-use crate::args::{MessageFormat, Setting};
+use crate::args::{MessageFormat, NamedMachine, Setting};
 use crate::commands::tell;
 use crate::environment;
 use crate::exit::Exit;
@@ -30,6 +30,8 @@ pub struct Project {
     shown: PathBuf,
     /// What its `ifs.toml` sets.
     pub settings: ProjectSettings,
+    /// The machine that takes the place of those the design names.
+    machine: Option<MachineName>,
     /// The text of its `ifs.toml`.
     text: SourceMap,
 }
@@ -50,6 +52,15 @@ impl Project {
             let told = tell(&diagnostics, &project.text, format);
             if told.exit != Exit::Good {
                 return Err(told.exit);
+            }
+        }
+        if let Some(text) = environment::machine() {
+            match text.parse() {
+                Ok(named) => project.cut_by(&named, "the variable `IFS_MACHINE`"),
+                Err(why) => {
+                    output::message(&format!("error: the variable `IFS_MACHINE`: {why}\n"));
+                    return Err(Exit::Usage);
+                }
             }
         }
         Ok(project)
@@ -81,7 +92,7 @@ impl Project {
         let is_marked = marked.is_some();
         let disk = Disk { root, design, named: named.to_owned() };
         let settings = ProjectSettings::default();
-        Some((Project { disk, shown, settings, text: SourceMap::default() }, is_marked))
+        Some((Project { disk, shown, settings, machine: None, text: SourceMap::default() }, is_marked))
     }
 
     fn read_settings(&mut self) -> Vec<Diagnostic> {
@@ -90,6 +101,7 @@ impl Project {
             Ok(text) => {
                 let (settings, found) = read_project(FileId(0), &text);
                 self.text.add(path, text);
+                self.machine = settings.machine.as_ref().map(|(machine, _)| machine.clone());
                 self.settings = settings;
                 found
             }
@@ -108,12 +120,40 @@ impl Project {
             .map(|(name, (value, _))| (name.clone(), (value.clone(), format!("`{PROJECT_FILE}`"))))
             .collect();
         defaults.extend(environment::parameters());
-        Overrides { parameters: given.collect(), defaults, ..Overrides::default() }
+        let machine = self.machine.clone();
+        Overrides { parameters: given.collect(), defaults, machine, ..Overrides::default() }
+    }
+
+    /// Lets a machine take the place of those the design and the project name; `whence` says who names it.
+    pub fn cut_by(&mut self, named: &NamedMachine, whence: &str) {
+        // What is not there, or outside of the project, keeps its whole path: that it cannot be read is said later.
+        let whole = || std::env::current_dir().unwrap_or_default().join(&named.file);
+        let real = named.file.canonicalize().ok();
+        let inside = real.as_deref().and_then(|real| slashed(real.strip_prefix(&self.disk.root).ok()?));
+        let file = inside.unwrap_or_else(|| whole().display().to_string());
+        let (name, whence) = (named.name.clone(), whence.to_owned());
+        self.machine = Some(MachineName { file, name, whence });
     }
 
     /// Analyses the design and tells what it finds.
     pub fn analyse(&self, settings: &[Setting], format: MessageFormat) -> Analysed {
-        self.told(analyse(&self.disk, &self.disk.design, &self.overrides(settings)), format)
+        self.analyse_watched(settings, format, &mut Unwatched)
+    }
+
+    /// The same, telling how far it is where it takes long.
+    pub fn analyse_watched(
+        &self,
+        settings: &[Setting],
+        format: MessageFormat,
+        watch: &mut dyn Watch,
+    ) -> Analysed {
+        let overrides = self.overrides(settings);
+        self.told(analyse_watched(&self.disk, &self.disk.design, &overrides, watch), format)
+    }
+
+    /// The same with nothing set but what is given here.
+    pub fn analyse_with(&self, overrides: &Overrides, format: MessageFormat) -> Analysed {
+        self.told(analyse(&self.disk, &self.disk.design, overrides), format)
     }
 
     /// Reads the design as far as its typed tree and tells what it finds.

@@ -8,7 +8,7 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 
 use ifs_cli::folder::{
-    Committed, Exchange, FolderError, Manifest, OutputFolder, Provenance, SourceRecord, verify,
+    Committed, Exchange, FolderError, Making, Manifest, OutputFolder, Provenance, SourceRecord, verify,
 };
 
 /// An empty folder of a test's own.
@@ -25,13 +25,12 @@ fn provenance() -> Provenance {
     Provenance {
         sources: vec![SourceRecord::of("vault.ifs", b"figure"), SourceRecord::of("ribs/a.ifs", b"")],
         parameters: BTreeMap::from([("span".to_owned(), "6m".to_owned())]),
-        left_out: None,
-        failed: false,
+        ..Provenance::default()
     }
 }
 
 fn build(target: &Path, exchange: Exchange, files: &[(&str, &str)]) -> Result<Committed, FolderError> {
-    let mut staging = OutputFolder::stage_with(target, exchange, &mut || ())?;
+    let mut staging = OutputFolder::stage_with(target, Making { exchange, ..Making::default() }, &mut || ())?;
     for (name, text) in files {
         staging.write(name, "csv", Some("vault.0.left"), text.as_bytes())?;
     }

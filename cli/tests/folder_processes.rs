@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
 
-use ifs_cli::folder::{Exchange, FolderError, Manifest, OutputFolder, Provenance, verify};
+use ifs_cli::folder::{Exchange, FolderError, Making, Manifest, OutputFolder, Provenance, verify};
 use libtest_mimic::{Arguments, Failed, Trial};
 
 /// Kills per way of replacing.
@@ -54,7 +54,7 @@ fn writer(arguments: &[String]) -> ExitCode {
 
 /// One set: every byte of it says which generation it is of, and some names do.
 fn build(target: &Path, exchange: Exchange, generation: u32) -> Result<(), FolderError> {
-    let mut staging = OutputFolder::stage_with(target, exchange, &mut || ())?;
+    let mut staging = OutputFolder::stage_with(target, Making { exchange, ..Making::default() }, &mut || ())?;
     for board in 0..BOARDS {
         let name = format!("boards/{board}-{}.nc", generation % 3);
         staging.write_with(&name, "nc", Some("vault.left"), |out| writeln!(out, "{generation}"))?;

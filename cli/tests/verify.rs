@@ -82,16 +82,65 @@ fn every_example_as_built_is_good() {
     }
 }
 
+/// Boards on sheets, with programs of both.
+fn built_nested() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify-nested");
+    let (source, out) = (folder.join("roof.ifs"), folder.join("out"));
+    fs::create_dir_all(&folder).unwrap();
+    let text = "use std.curves (bspline3)\nuse std.surfaces (sheet)\nuse std.materials (birch_plywood)\n\
+        use std.machines (router3)\n\
+        let net = [[(i * 500mm, j * 500mm, 0.1m * sin(30deg * i)) for j in 0..5] for i in 0..5]\n\
+        figure roof = sheet(bspline3, bspline3, net) at level 1\n\
+        fabricate roof as panels {\n    material: birch_plywood(12mm)\n    board: 1250mm by 1250mm\n    \
+        machine: router3(tool: 6mm)\n    nest: {}\n}\n";
+    fs::write(&source, text).unwrap();
+    let done = ifs(&["build", source.to_str().unwrap(), "-o", out.to_str().unwrap()]);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let names = set(&out).0;
+    for name in ["sheets/1.nc", "sheets/1.dxf", "sheets/1.svg", "nest.csv", "boards/roof.0-0.left-left.nc"] {
+        assert!(names.contains_key(name), "no {name} among {:?}", names.keys());
+    }
+    let verdict = verify(&set(&out)).unwrap();
+    assert_eq!((verdict.findings.as_slice(), verdict.by_hash.as_slice()), (&[][..], &[][..]));
+    out
+}
+
+#[test]
+fn a_board_that_lies_elsewhere_is_found_in_every_file_of_its_sheet() {
+    let good = set(&built_nested());
+    let changed = |name: &str, from: &str, to: &str| {
+        let mut set = good.clone();
+        let text = String::from_utf8(set.0[name].clone()).unwrap();
+        assert!(text.contains(from), "{name} has no {from}");
+        set.0.insert(name.to_owned(), text.replacen(from, to, 1).into_bytes());
+        rehash(&mut set);
+        let findings = verify(&set).unwrap().findings;
+        assert!(!findings.is_empty(), "{from} to {to} in {name}");
+    };
+    changed("nest.csv", ",0,placed", ",180,placed");
+    changed("nest.csv", ",placed", ",refused");
+    let line = |name: &str, start: &str| {
+        let text = String::from_utf8(good.0[name].clone()).unwrap();
+        text.lines().find(|line| line.starts_with(start)).unwrap().to_owned()
+    };
+    let at = line("sheets/1.nc", "(at: ");
+    changed("sheets/1.nc", &at, &at.replace("turned", "turnt"));
+    changed("sheets/1.nc", "\nG1 X", "\nG1 X1");
+    let corner = line("sheets/1.svg", "<polygon");
+    changed("sheets/1.svg", &corner, &corner.replacen("points=\"", "points=\"1", 1));
+    changed("sheets/1.dxf", "roof.0-0", "roof.1-0");
+}
+
 #[test]
 fn at_least_95_of_100_random_corruptions_are_found() {
-    let sets = [set(&built("wall")), set(&built("vault"))];
+    let sets = [set(&built("wall")), set(&built("vault")), set(&built_nested())];
     for set in &sets {
         assert_eq!(verify(set).unwrap().findings, []);
     }
     let mut random = Random(2026);
     let (mut found, mut missed) = (0, Vec::new());
     for number in 0..100 {
-        let mut corrupted = sets[number % 2].clone();
+        let mut corrupted = sets[number % 3].clone();
         let rehashed = number % 4 < 2;
         let what = corrupt(&mut corrupted, rehashed, &mut random);
         match verify(&corrupted) {
@@ -207,4 +256,45 @@ fn no_manifest_and_ways_out_are_told() {
         assert_eq!(done.status.code(), Some(1), "{said}");
         assert!(said.contains(part) || part.starts_with("cannot") && said.contains("No such file"), "{said}");
     }
+}
+
+#[test]
+fn a_design_built_again_gives_the_same_bytes_or_says_where_not() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify-source");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let source = folder.join("vault.ifs");
+    let text = fs::read_to_string(examples().join("vault.ifs")).unwrap();
+    fs::write(&source, &text).unwrap();
+    fs::write(folder.join("shop.ifs"), "use std.machines (router3)\nlet own = router3(dialect: grbl)\n")
+        .unwrap();
+    let machine = format!("{}:own", folder.join("shop.ifs").display());
+    let (source, out) = (source.to_str().unwrap(), folder.join("out"));
+    let out = out.to_str().unwrap();
+    let verified = || {
+        let done = ifs(&["verify", out, "--source", source, "--message-format", "short"]);
+        (done.status.code(), String::from_utf8_lossy(&done.stdout).into_owned())
+    };
+    for arguments in [
+        vec![],
+        vec!["--set", "span=6.5m", "--machine", &machine, "--emit", "nc,csv,html", "--only", "*left"],
+    ] {
+        let built = ifs(&[vec!["build", source, "-o", out], arguments].concat());
+        assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+        assert_eq!(verified(), (Some(0), String::new()));
+    }
+    // Another program for a board, with a manifest that is made true again.
+    let mut set = set(Path::new(out));
+    let name = set.0.keys().find(|name| name.ends_with(".nc")).unwrap().clone();
+    let changed = String::from_utf8(set.0[&name].clone()).unwrap().replacen("(design: ", "(design:  ", 1);
+    set.0.insert(name.clone(), changed.into_bytes());
+    rehash(&mut set);
+    for file in [name.as_str(), "manifest.json"] {
+        fs::write(Path::new(out).join(file), &set.0[file]).unwrap();
+    }
+    let (code, said) = verified();
+    assert!(code == Some(1) && said.contains(&format!("{name}: the bytes")), "{said}");
+    fs::write(source, format!("{text}// a word\n")).unwrap();
+    let (code, said) = verified();
+    assert!(code == Some(1) && said.contains("vault.ifs: the source"), "{said}");
 }

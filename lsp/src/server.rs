@@ -1,48 +1,82 @@
 //! The protocol's requests, answered from snapshots. Each handler hands its question to the owner of the documents before
 //! it waits for anything, so that questions and changes keep their order.
 
+mod actions;
 mod answers;
+mod completions;
+mod diagnostics;
+mod hierarchy;
 mod publish;
+mod shown;
+mod tokens;
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use tokio::sync::{Mutex, mpsc, oneshot};
+use serde_json::json;
+use tokio::sync::oneshot;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::*;
 use tower_lsp::{Client, LanguageServer};
 
 use crate::protocol::capabilities::capabilities;
 use crate::protocol::convert::from_position;
-use crate::protocol::uri::path_of;
+use crate::protocol::errors::failed;
+use crate::protocol::uri::{path_of, path_on_disk};
 use crate::world::documents::Change;
-use crate::world::owner::{Outgoing, Refusal};
+use crate::world::names::Names;
+use crate::world::outbox::Outbox;
+use crate::world::owner::Refusal;
 use crate::world::projects::Projects;
-use crate::world::{Encoding, Message, Snapshot, start};
+use crate::world::{Encoding, Message, Snapshot};
 
 /// The server of one client.
 pub(crate) struct Backend {
     client: Client,
-    world: std::sync::Mutex<Sender<Message>>,
-    /// What the owner says, until the client is ready to hear it.
-    outgoing: Mutex<Option<mpsc::UnboundedReceiver<Outgoing>>>,
+    world: Mutex<Sender<Message>>,
+    outbox: Outbox,
+    names: Names,
     projects: Arc<dyn Projects>,
     orderly: Arc<AtomicBool>,
-    settings: std::sync::OnceLock<publish::Told>,
+    settings: OnceLock<publish::Told>,
+    folders: Mutex<Vec<PathBuf>>,
+    workspace: diagnostics::Workspace,
+    tokens: tokens::Told,
+}
+
+/// Ends work that was not begun yet when its request is cancelled.
+struct Work<T>(tokio::task::JoinHandle<T>);
+
+impl<T> Drop for Work<T> {
+    fn drop(&mut self) {
+        self.0.abort();
+    }
 }
 
 impl Backend {
-    pub(crate) fn new(client: Client, projects: Arc<dyn Projects>) -> Backend {
-        let (out, outgoing) = mpsc::unbounded_channel();
-        let world = start(Arc::clone(&projects), out);
+    /// # Errors
+    /// The system has no thread left.
+    pub(crate) fn new(
+        client: Client,
+        projects: Arc<dyn Projects>,
+        world: Sender<Message>,
+        names: Names,
+        outbox: Outbox,
+    ) -> Backend {
         Backend {
             client,
-            world: std::sync::Mutex::new(world),
-            outgoing: Mutex::new(Some(outgoing)),
+            world: Mutex::new(world),
+            outbox,
+            names,
             projects,
             orderly: Arc::default(),
-            settings: std::sync::OnceLock::new(),
+            settings: OnceLock::new(),
+            folders: Mutex::default(),
+            workspace: diagnostics::Workspace::default(),
+            tokens: tokens::Told::default(),
         }
     }
 
@@ -52,39 +86,81 @@ impl Backend {
     }
 
     fn tell(&self, message: Message) {
-        let world = self.world.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let world = self.world.lock().unwrap_or_else(PoisonError::into_inner);
         // The owner is gone only when the server is about to end.
         let _ = world.send(message);
     }
 
-    /// What is known of a document, handed to `read` beside the server's own work. A panic in it is an error reply.
+    /// What is known of a document, handed to `read` beside the server's own work. A panic in it is an error reply, and
+    /// an answer for a text that is not there any more is none.
     async fn ask<T: Send + 'static>(
         &self,
         uri: &Uri,
         read: impl FnOnce(&Snapshot) -> T + Send + 'static,
     ) -> Result<T> {
-        let (reply, answer) = oneshot::channel();
-        self.tell(Message::Ask { path: path_of(uri), reply });
-        let snapshot = match answer.await {
-            Ok(Ok(snapshot)) => snapshot,
-            Ok(Err(refusal)) => return Err(refused(refusal)),
-            Err(_) => return Err(refused(Refusal::Failed)),
-        };
-        let work = tokio::task::spawn_blocking(move || read(&snapshot));
-        work.await.map_err(|_| refused(Refusal::Failed))
+        let snapshot = self.snapshot(path_of(&self.names, uri)).await.map_err(refused)?;
+        beside(move || {
+            let answer = read(&snapshot);
+            if snapshot.is_stale() { Err(refused(Refusal::Outdated)) } else { Ok(answer) }
+        })
+        .await?
     }
+
+    async fn snapshot(&self, path: PathBuf) -> std::result::Result<Snapshot, Refusal> {
+        let (reply, answer) = oneshot::channel();
+        self.tell(Message::Ask { path, reply });
+        answer.await.unwrap_or(Err(Refusal::Failed))
+    }
+
+    fn folders(&self) -> std::sync::MutexGuard<'_, Vec<PathBuf>> {
+        self.folders.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn told(&self) -> publish::Told {
+        self.settings.get().copied().unwrap_or_default()
+    }
+
+    /// Asks the client to say when designs change on disk.
+    fn watch(&self) {
+        let watchers = ["**/*.ifs", "**/ifs.toml"]
+            .map(|glob| FileSystemWatcher { glob_pattern: GlobPattern::String(glob.to_owned()), kind: None });
+        let watch = Registration {
+            id: "watched".to_owned(),
+            method: "workspace/didChangeWatchedFiles".to_owned(),
+            register_options: serde_json::to_value(DidChangeWatchedFilesRegistrationOptions {
+                watchers: watchers.to_vec(),
+            })
+            .ok(),
+        };
+        let client = self.client.clone();
+        // A client that refuses has its reasons; files are read anew when documents are opened.
+        tokio::spawn(async move {
+            let _ = client.register_capability(vec![watch]).await;
+        });
+    }
+}
+
+/// Does work beside the server's own; a panic in it is an error reply.
+async fn beside<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Result<T> {
+    let mut work = Work(tokio::task::spawn_blocking(work));
+    (&mut work.0).await.map_err(|_| failed())
 }
 
 fn refused(refusal: Refusal) -> Error {
     match refusal {
         Refusal::Unknown => Error::invalid_params("the document is not open"),
         Refusal::Outdated => Error::content_modified(),
-        Refusal::Failed => {
-            let mut error = Error::internal_error();
-            error.message = "the server failed on this request; please report it with the file".into();
-            error
-        }
+        Refusal::Failed => failed(),
     }
+}
+
+/// Who pulls diagnostics of a text that has changed since shall pull them again, and keep what it has.
+fn pull_again(error: Error) -> Error {
+    if error.code != ErrorCode::ContentModified {
+        return error;
+    }
+    let data = Some(json!({ "retriggerRequest": true }));
+    Error { code: ErrorCode::ServerError(-32802), message: "the document has changed since".into(), data }
 }
 
 /// An error that the person at the editor reads.
@@ -99,21 +175,44 @@ impl LanguageServer for Backend {
         let utf8 = encodings.is_some_and(|all| all.contains(&PositionEncodingKind::UTF8));
         let encoding = if utf8 { Encoding::Utf8 } else { Encoding::Utf16 };
         self.tell(Message::Encoding(encoding));
-        let document = params.capabilities.text_document.as_ref();
-        let pulls = document.is_some_and(|document| document.diagnostic.is_some());
+        let pulling =
+            params.capabilities.text_document.as_ref().and_then(|document| document.diagnostic.as_ref());
         let workspace = params.capabilities.workspace.as_ref();
+        // Who cannot be asked to pull again would never hear what was worked out.
         let refreshes = workspace
             .and_then(|workspace| workspace.diagnostics.as_ref())
             .is_some_and(|diagnostics| diagnostics.refresh_support == Some(true));
+        let pulls = pulling.is_some() && refreshes;
+        let takes_related = pulling.is_some_and(|pulling| pulling.related_document_support == Some(true));
         let watches = workspace
             .and_then(|workspace| workspace.did_change_watched_files.as_ref())
             .is_some_and(|watched| watched.dynamic_registration == Some(true));
-        let _ = self.settings.set(publish::Told { encoding, pulls, refreshes, watches });
+        let completes = params.capabilities.text_document.as_ref().and_then(|it| it.completion.as_ref());
+        let snippets = completes
+            .and_then(|completes| completes.completion_item.as_ref())
+            .is_some_and(|item| item.snippet_support == Some(true));
+        let refreshed = publish::Refreshed {
+            hints: workspace
+                .and_then(|workspace| workspace.inlay_hint.as_ref())
+                .is_some_and(|hints| hints.refresh_support == Some(true)),
+            lenses: workspace
+                .and_then(|workspace| workspace.code_lens.as_ref())
+                .is_some_and(|lenses| lenses.refresh_support == Some(true)),
+        };
+        let told = publish::Told { encoding, pulls, takes_related, watches, snippets, refreshed };
+        let _ = self.settings.set(told);
+        #[allow(deprecated, reason = "older clients say no other")]
+        let root = params.root_uri.into_iter();
+        let folders = params.workspace_folders.unwrap_or_default().into_iter().map(|folder| folder.uri);
+        let mut named: Vec<PathBuf> = folders.chain(root).map(|uri| path_on_disk(&uri)).collect();
+        named.sort();
+        named.dedup();
+        *self.folders() = named;
         if let Some(parent) = params.process_id {
             publish::end_with(parent);
         }
         Ok(InitializeResult {
-            capabilities: capabilities(encoding, pulls),
+            capabilities: capabilities(encoding, pulls, tokens::legend()),
             server_info: Some(ServerInfo {
                 name: "ifs".to_owned(),
                 version: Some(env!("CARGO_PKG_VERSION").to_owned()),
@@ -123,30 +222,11 @@ impl LanguageServer for Backend {
     }
 
     async fn initialized(&self, _: InitializedParams) {
-        let told = self.settings.get().copied().unwrap_or_default();
-        if let Some(outgoing) = self.outgoing.lock().await.take() {
-            let places = Arc::clone(&self.projects);
-            tokio::spawn(publish::publish(self.client.clone(), outgoing, told, places));
-        }
+        let told = self.told();
+        let (client, names) = (self.client.clone(), self.names.clone());
+        tokio::spawn(publish::publish(client, self.outbox.clone(), told, names));
         if told.watches {
-            let watch = Registration {
-                id: "watched".to_owned(),
-                method: "workspace/didChangeWatchedFiles".to_owned(),
-                register_options: serde_json::to_value(DidChangeWatchedFilesRegistrationOptions {
-                    watchers: ["**/*.ifs", "**/ifs.toml"]
-                        .map(|glob| FileSystemWatcher {
-                            glob_pattern: GlobPattern::String(glob.to_owned()),
-                            kind: None,
-                        })
-                        .to_vec(),
-                })
-                .ok(),
-            };
-            let client = self.client.clone();
-            // A client that refuses has its reasons; files are read anew when documents are opened.
-            tokio::spawn(async move {
-                let _ = client.register_capability(vec![watch]).await;
-            });
+            self.watch();
         }
     }
 
@@ -158,7 +238,8 @@ impl LanguageServer for Backend {
 
     async fn did_open(&self, params: DidOpenTextDocumentParams) {
         let document = params.text_document;
-        let path = path_of(&document.uri);
+        let path = path_on_disk(&document.uri);
+        self.names.opened(document.uri.as_str(), &path);
         self.tell(Message::Open { path, text: document.text, version: document.version });
     }
 
@@ -168,14 +249,17 @@ impl LanguageServer for Backend {
             text: change.text,
         });
         self.tell(Message::Change {
-            path: path_of(&params.text_document.uri),
+            path: path_of(&self.names, &params.text_document.uri),
             version: params.text_document.version,
             changes: changes.collect(),
         });
     }
 
     async fn did_close(&self, params: DidCloseTextDocumentParams) {
-        self.tell(Message::Close { path: path_of(&params.text_document.uri) });
+        let uri = params.text_document.uri;
+        self.tell(Message::Close { path: path_of(&self.names, &uri) });
+        self.tokens.forget(uri.as_str());
+        self.names.closed(uri.as_str());
     }
 
     async fn did_save(&self, _: DidSaveTextDocumentParams) {
@@ -186,9 +270,46 @@ impl LanguageServer for Backend {
         self.tell(Message::DiskChanged);
     }
 
+    async fn did_change_workspace_folders(&self, params: DidChangeWorkspaceFoldersParams) {
+        let gone: Vec<PathBuf> =
+            params.event.removed.iter().map(|folder| path_on_disk(&folder.uri)).collect();
+        let mut folders = self.folders();
+        folders.retain(|folder| !gone.contains(folder));
+        folders.extend(params.event.added.iter().map(|folder| path_on_disk(&folder.uri)));
+    }
+
     async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
-        let report = self.ask(&params.text_document.uri, answers::pulled).await?;
+        let (known, related) = (params.previous_result_id, self.told().takes_related);
+        let read = move |snapshot: &Snapshot| diagnostics::pulled(snapshot, known.as_deref(), related);
+        let report = self.ask(&params.text_document.uri, read).await.map_err(pull_again)?;
         Ok(DocumentDiagnosticReportResult::Report(report))
+    }
+
+    async fn workspace_diagnostic(
+        &self,
+        params: WorkspaceDiagnosticParams,
+    ) -> Result<WorkspaceDiagnosticReportResult> {
+        let (reply, moment) = oneshot::channel();
+        self.tell(Message::AskMoment(reply));
+        let moment = moment.await.map_err(|_| failed())?;
+        let mut open = Vec::new();
+        for path in moment.open.keys() {
+            // One that was closed meanwhile, or failed, is left out.
+            open.extend(self.snapshot(path.clone()).await.ok());
+        }
+        let known = params.previous_result_ids.into_iter();
+        let known: BTreeMap<String, String> =
+            known.map(|known| (known.uri.as_str().to_owned(), known.value)).collect();
+        let (workspace, projects, names) =
+            (self.workspace.clone(), Arc::clone(&self.projects), self.names.clone());
+        let folders = self.folders().clone();
+        let items = beside(move || {
+            let mut items: Vec<_> =
+                open.iter().filter_map(|snapshot| diagnostics::open_report(snapshot, &known)).collect();
+            items.extend(workspace.pulled(&projects, &names, &folders, &moment, &known));
+            items
+        });
+        Ok(WorkspaceDiagnosticReportResult::Report(WorkspaceDiagnosticReport { items: items.await? }))
     }
 
     async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {
@@ -233,6 +354,117 @@ impl LanguageServer for Backend {
 
     async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
         self.ask(&params.text_document.uri, answers::format).await
+    }
+
+    async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
+        let (range, only) = (params.range, params.context.only);
+        self.ask(&params.text_document.uri, move |snapshot| {
+            Some(actions::actions(snapshot, range, only.as_deref()))
+        })
+        .await
+    }
+
+    async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
+        let (at, snippets) = (params.text_document_position, self.told().snippets);
+        let read = move |snapshot: &Snapshot| completions::completion(snapshot, at.position, snippets);
+        self.ask(&at.text_document.uri, read).await
+    }
+
+    async fn completion_resolve(&self, item: CompletionItem) -> Result<CompletionItem> {
+        beside(move || completions::resolve(item)).await
+    }
+
+    async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
+        let at = params.text_document_position_params;
+        self.ask(&at.text_document.uri, move |snapshot| completions::signature(snapshot, at.position)).await
+    }
+
+    async fn semantic_tokens_full(
+        &self,
+        params: SemanticTokensParams,
+    ) -> Result<Option<SemanticTokensResult>> {
+        let uri = params.text_document.uri;
+        let found = self.ask(&uri, |snapshot| tokens::tokens(snapshot, None)).await?;
+        Ok(Some(self.tokens.whole(uri.as_str(), found).into()))
+    }
+
+    async fn semantic_tokens_full_delta(
+        &self,
+        params: SemanticTokensDeltaParams,
+    ) -> Result<Option<SemanticTokensFullDeltaResult>> {
+        let uri = params.text_document.uri;
+        let found = self.ask(&uri, |snapshot| tokens::tokens(snapshot, None)).await?;
+        Ok(Some(self.tokens.changed(uri.as_str(), &params.previous_result_id, found)))
+    }
+
+    async fn semantic_tokens_range(
+        &self,
+        params: SemanticTokensRangeParams,
+    ) -> Result<Option<SemanticTokensRangeResult>> {
+        let range = params.range;
+        let read = move |snapshot: &Snapshot| tokens::tokens(snapshot, Some(range));
+        let data = self.ask(&params.text_document.uri, read).await?;
+        Ok(Some(SemanticTokens { result_id: None, data }.into()))
+    }
+
+    async fn inlay_hint(&self, params: InlayHintParams) -> Result<Option<Vec<InlayHint>>> {
+        let range = params.range;
+        self.ask(&params.text_document.uri, move |snapshot| Some(shown::hints(snapshot, range))).await
+    }
+
+    async fn code_lens(&self, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
+        let uri = params.text_document.uri;
+        self.ask(&uri.clone(), move |snapshot| Some(shown::lenses(snapshot, &uri))).await
+    }
+
+    async fn folding_range(&self, params: FoldingRangeParams) -> Result<Option<Vec<FoldingRange>>> {
+        self.ask(&params.text_document.uri, |snapshot| Some(shown::folding(snapshot))).await
+    }
+
+    async fn selection_range(&self, params: SelectionRangeParams) -> Result<Option<Vec<SelectionRange>>> {
+        let positions = params.positions;
+        self.ask(&params.text_document.uri, move |snapshot| Some(shown::selections(snapshot, &positions)))
+            .await
+    }
+
+    async fn range_formatting(&self, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+        let range = params.range;
+        self.ask(&params.text_document.uri, move |snapshot| shown::format_part(snapshot, range)).await
+    }
+
+    async fn symbol(&self, params: WorkspaceSymbolParams) -> Result<Option<WorkspaceSymbolResponse>> {
+        let (reply, moment) = oneshot::channel();
+        self.tell(Message::AskMoment(reply));
+        let moment = moment.await.map_err(|_| failed())?;
+        let (projects, names, folders) =
+            (Arc::clone(&self.projects), self.names.clone(), self.folders().clone());
+        let find = move || hierarchy::symbols(&projects, &names, &folders, &moment, &params.query);
+        Ok(Some(WorkspaceSymbolResponse::Nested(beside(find).await?)))
+    }
+
+    async fn prepare_call_hierarchy(
+        &self,
+        params: CallHierarchyPrepareParams,
+    ) -> Result<Option<Vec<CallHierarchyItem>>> {
+        let at = params.text_document_position_params;
+        let uri = at.text_document.uri;
+        self.ask(&uri.clone(), move |snapshot| hierarchy::prepare(snapshot, at.position, &uri)).await
+    }
+
+    async fn incoming_calls(
+        &self,
+        params: CallHierarchyIncomingCallsParams,
+    ) -> Result<Option<Vec<CallHierarchyIncomingCall>>> {
+        let Some(uri) = hierarchy::document(&params.item) else { return Ok(None) };
+        self.ask(&uri, move |snapshot| hierarchy::incoming(snapshot, &params.item)).await
+    }
+
+    async fn outgoing_calls(
+        &self,
+        params: CallHierarchyOutgoingCallsParams,
+    ) -> Result<Option<Vec<CallHierarchyOutgoingCall>>> {
+        let Some(uri) = hierarchy::document(&params.item) else { return Ok(None) };
+        self.ask(&uri, move |snapshot| hierarchy::outgoing(snapshot, &params.item)).await
     }
 
     async fn document_link(&self, params: DocumentLinkParams) -> Result<Option<Vec<DocumentLink>>> {

@@ -9,6 +9,7 @@
 )]
 
 pub mod annotations;
+pub mod client;
 pub mod designs;
 pub mod fraction;
 pub mod generate;
@@ -72,6 +73,7 @@ fn profile_folder() -> PathBuf {
     test.ancestors().nth(2).expect("tests are built below target/").to_path_buf()
 }
 
-fn is_release() -> bool {
+/// Whether the running test is built for release.
+pub fn is_release() -> bool {
     profile_folder().ends_with("release")
 }

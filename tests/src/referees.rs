@@ -47,6 +47,17 @@ pub fn gltf_validator(files: &[&Path]) -> Verdict {
     verdict("glb.mjs", command)
 }
 
+/// Colours designs with the TextMate grammar, by VS Code's own engine; good where none of the words is without a colour.
+///
+/// # Panics
+/// As [`python_referee`].
+pub fn colours(words: &[&str], files: &[PathBuf]) -> Verdict {
+    installed("tests/referees/node_modules/vscode-textmate/package.json");
+    let mut command = Command::new("node");
+    command.arg(root().join("tests/referees/colours.mjs")).arg(words.join(",")).args(files);
+    verdict("colours.mjs", command)
+}
+
 /// The program that refines nets with OpenSubdiv.
 ///
 /// # Panics

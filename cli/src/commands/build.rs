@@ -7,26 +7,38 @@ use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::Diagnostic;
 use ifs_compiler::outputs::nests::Nests;
 use ifs_compiler::outputs::{
-    DIAGNOSTICS, Format, LeftOut, Output, Selection, board_names, diagnostics_json, outputs, parameter_texts,
-    project_sources,
+    DIAGNOSTICS, Format, LeftOut, Output, Selection, board_names, diagnostics_json, machine_text,
+    outputs_watched, parameter_texts, project_sources,
 };
 
 use super::{table, tell};
 use crate::args::{Build, Emit, MessageFormat};
 use crate::exit::Exit;
 use crate::folder::{
-    Committed, Exchange, FolderError, LeftOutRecord, OutputFolder, Provenance, SourceRecord, Staging,
+    Committed, FolderError, LeftOutRecord, Making, OutputFolder, Provenance, SourceRecord, Staging,
 };
+use crate::interrupt::{self, Writing};
 use crate::output;
+use crate::progress::{self, Progress, Watching};
 use crate::project::{Analysed, Project};
 
-/// Builds a design.
+/// Builds a design, with a line of progress for whoever looks on.
 pub fn build(build: &Build, format: MessageFormat) -> Exit {
-    let project = match Project::open(&build.file, format) {
+    interrupt::listen();
+    let _progress = if build.quiet || format == MessageFormat::Json { None } else { Progress::begin() };
+    make(build, format)
+}
+
+fn make(build: &Build, format: MessageFormat) -> Exit {
+    let mut project = match Project::open(&build.file, format) {
         Ok(project) => project,
         Err(exit) => return exit,
     };
-    let Analysed { analysis, sources, exit } = project.analyse(&build.settings, format);
+    if let Some(machine) = &build.machine {
+        project.cut_by(machine, "`--machine`");
+    }
+    let Analysed { analysis, sources, exit } =
+        project.analyse_watched(&build.settings, format, &mut Watching);
     let out = build.out.clone().unwrap_or_else(|| project.out(&analysis.design_name()));
     let selection = Selection { formats: formats(&build.emit), only: build.only.clone() };
     if exit != Exit::Good {
@@ -44,19 +56,28 @@ pub fn build(build: &Build, format: MessageFormat) -> Exit {
     if selection.formats.is_empty() {
         return Exit::Good;
     }
-    let made = outputs(&analysis, &selection);
+    let made = outputs_watched(&analysis, &selection, &mut progress::making);
     let told = tell(&made.diagnostics, &sources, format);
     if told.exit != Exit::Good {
         let all: Vec<Diagnostic> = analysis.diagnostics.iter().chain(&made.diagnostics).cloned().collect();
         return failed(told.exit, &selection, &out, &analysis, &all);
     }
     match write(&out, &analysis, &made.files, selection.left_out(&analysis)) {
-        Ok(committed) => finish(&analysis, &made.nests, &committed, &out, format),
+        Ok(committed) => {
+            told_of(&committed);
+            if build.quiet || format == MessageFormat::Json {
+                return Exit::Good;
+            }
+            finish(&analysis, &made.nests, &committed, &out)
+        }
         Err(error) => not_written(&error),
     }
 }
 
 fn not_written(error: &FolderError) -> Exit {
+    if matches!(error, FolderError::Stopped) {
+        return interrupt::stopped();
+    }
     output::message(&format!("error: {error}\n"));
     Exit::InputOutput
 }
@@ -74,23 +95,25 @@ fn failed(
         return exit;
     }
     let said = diagnostics_json(diagnostics, &analysis.sources, true);
-    match write_failure(out, analysis, &said) {
+    match write_failure(exit, out, analysis, &said) {
         Ok(()) => exit,
         Err(error) => not_written(&error),
     }
 }
 
-fn write_failure(out: &Path, analysis: &Analysis, said: &str) -> Result<(), FolderError> {
+fn write_failure(exit: Exit, out: &Path, analysis: &Analysis, said: &str) -> Result<(), FolderError> {
+    let writing = Writing::begin();
     let mut staging = stage(out)?;
     let before = staging.keep_set(DIAGNOSTICS)?;
     staging.write(DIAGNOSTICS, "diagnostics", None, said.as_bytes())?;
     staging.commit(&before.unwrap_or_else(|| Provenance { failed: true, ..provenance(analysis) }))?;
+    writing.done(exit);
     Ok(())
 }
 
 fn stage(out: &Path) -> Result<Staging, FolderError> {
     let mut waiting = || output::message(&format!("waiting for another build of {}\n", out.display()));
-    OutputFolder::stage_with(out, Exchange::System, &mut waiting)
+    OutputFolder::stage_with(out, Making { stop: interrupt::asked, ..Making::default() }, &mut waiting)
 }
 
 /// The sources and parameters of a design, with nothing left out.
@@ -98,7 +121,9 @@ fn provenance(analysis: &Analysis) -> Provenance {
     let sources = project_sources(analysis);
     let sources = sources.iter().map(|(path, bytes)| SourceRecord::of(path, bytes)).collect();
     let parameters: BTreeMap<String, String> = parameter_texts(analysis).into_iter().collect();
-    Provenance { sources, parameters, ..Provenance::default() }
+    // Those of an `ifs.toml` may be of other designs.
+    let set = analysis.set_parameters.iter().filter(|name| parameters.contains_key(*name)).cloned().collect();
+    Provenance { sources, parameters, set, machine: machine_text(analysis), ..Provenance::default() }
 }
 
 /// What `--emit` asks for; everything where it is not given.
@@ -138,29 +163,29 @@ fn write(
     files: &[Output],
     left_out: LeftOut,
 ) -> Result<Committed, FolderError> {
+    let writing = Writing::begin();
     let mut staging = stage(out)?;
-    for file in files {
+    for (done, file) in files.iter().enumerate() {
+        progress::say(|| "files written".to_owned(), Some((done, files.len())));
         staging.write_with(&file.path, file.kind, file.address.as_deref(), |out| file.write(out))?;
     }
-    staging.commit(&Provenance { left_out: LeftOutRecord::of(left_out), ..provenance(analysis) })
+    progress::say(|| "putting the files in place".to_owned(), None);
+    let committed =
+        staging.commit(&Provenance { left_out: LeftOutRecord::of(left_out), ..provenance(analysis) })?;
+    writing.done(Exit::Good);
+    Ok(committed)
 }
 
-fn finish(
-    analysis: &Analysis,
-    nests: &Nests,
-    committed: &Committed,
-    out: &Path,
-    format: MessageFormat,
-) -> Exit {
+fn told_of(committed: &Committed) {
     for name in &committed.foreign {
         output::message(&format!("note: kept {name}, which no build wrote\n"));
     }
     if let Some(leftover) = &committed.leftover {
         output::message(&format!("warning: the build is complete, but {leftover}\n"));
     }
-    if format == MessageFormat::Json {
-        return Exit::Good;
-    }
+}
+
+fn finish(analysis: &Analysis, nests: &Nests, committed: &Committed, out: &Path) -> Exit {
     let files: Vec<&str> = committed.manifest.files.iter().map(|file| file.path.as_str()).collect();
     output::data(&table::table(analysis, nests, &files, out)).err().unwrap_or(Exit::Good)
 }

@@ -1,8 +1,9 @@
 //! `ifs lsp`: the language server on standard input and output, with the disk as this program sees it.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use ifs_compiler::hir::library_text;
 use ifs_lsp::{Project as Served, Projects};
@@ -18,7 +19,7 @@ const MOST_FOLDERS: usize = 20;
 
 /// Serves until the client is done.
 pub fn lsp() -> Exit {
-    match ifs_lsp::serve(Arc::new(Disk)) {
+    match ifs_lsp::serve(Arc::new(Disk::default())) {
         Ok(true) => Exit::Good,
         // The protocol's way to say that the client left without a word.
         Ok(false) => Exit::Design,
@@ -30,7 +31,11 @@ pub fn lsp() -> Exit {
 }
 
 /// The disk.
-struct Disk;
+#[derive(Default)]
+struct Disk {
+    /// Where modules of the library were put.
+    library: Mutex<BTreeMap<String, Option<PathBuf>>>,
+}
 
 impl Projects for Disk {
     fn project(&self, path: &Path) -> Option<Served> {
@@ -52,17 +57,27 @@ impl Projects for Disk {
     }
 
     fn library(&self, module: &str) -> Option<PathBuf> {
-        let folder = environment::cache()?.join("ifs").join(env!("CARGO_PKG_VERSION")).join("std");
-        let (path, text) = (folder.join(module).with_extension("ifs"), library_text(module)?);
-        if fs::read_to_string(&path).is_ok_and(|there| there == text) {
-            return Some(path);
-        }
-        fs::create_dir_all(&folder).ok()?;
-        // Two servers may write it at once: each writes its own and puts it there whole.
-        let draft = folder.join(format!("{module}.{}.part", std::process::id()));
-        fs::write(&draft, text).and_then(|()| fs::rename(&draft, &path)).ok()?;
-        Some(path)
+        let mut known = self.library.lock().unwrap_or_else(PoisonError::into_inner);
+        let place = || put(module);
+        known.entry(module.to_owned()).or_insert_with(place).clone()
     }
+}
+
+/// Puts a module of the library where an editor can open it.
+fn put(module: &str) -> Option<PathBuf> {
+    let folder = environment::cache()?.join("ifs").join(env!("CARGO_PKG_VERSION")).join("std");
+    let text = library_text(module)?;
+    fs::create_dir_all(&folder).ok()?;
+    // As an editor names it when it is opened.
+    let folder = folder.canonicalize().ok()?;
+    let path = folder.join(module).with_extension("ifs");
+    if fs::read_to_string(&path).is_ok_and(|there| there == text) {
+        return Some(path);
+    }
+    // Two servers may write it at once: each writes its own and puts it there whole.
+    let draft = folder.join(format!("{module}.{}.part", std::process::id()));
+    fs::write(&draft, text).and_then(|()| fs::rename(&draft, &path)).ok()?;
+    Some(path)
 }
 
 /// The designs of a folder and those in it; what is built and what is hidden is none.

@@ -7,6 +7,7 @@ pub mod explain;
 pub mod fmt;
 pub mod lsp;
 pub mod params;
+mod rebuilt;
 mod table;
 mod tell;
 pub mod test;

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use ifs_compiler::verify::{Finding, Folder, Verdict, verify as judge};
 use serde::Serialize;
 
+use super::rebuilt::differences;
 use crate::args::{MessageFormat, Verify};
 use crate::exit::Exit;
 use crate::folder::OutputFolder;
@@ -32,7 +33,15 @@ pub fn verify(verify: &Verify, format: MessageFormat) -> Exit {
         return Exit::InputOutput;
     }
     match judge(&OnDisk { root: folder }) {
-        Ok(verdict) => tell(&verdict, folder, format),
+        Ok(mut verdict) => {
+            if let Some(source) = &verify.source {
+                match differences(&OnDisk { root: folder }, source, format) {
+                    Ok(found) => verdict.findings.extend(found),
+                    Err(exit) => return exit,
+                }
+            }
+            tell(&verdict, folder, format)
+        }
         Err(refused) if refused.unreadable => {
             output::message(&format!("error: {}: {refused}\n", folder.display()));
             Exit::InputOutput

@@ -40,6 +40,8 @@ pub enum FolderError {
     },
     /// A name was written twice.
     Duplicate(String),
+    /// The making of the set was given up because its caller said so.
+    Stopped,
 }
 
 impl FolderError {
@@ -92,6 +94,7 @@ impl fmt::Display for FolderError {
                 write!(f, "the output name {name:?} is refused: {reason}")
             }
             FolderError::Duplicate(name) => write!(f, "the output {name:?} was written twice"),
+            FolderError::Stopped => write!(f, "the outputs were given up; the earlier ones are untouched"),
         }
     }
 }

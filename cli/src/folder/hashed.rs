@@ -19,6 +19,7 @@ pub(super) struct HashedFile {
     file: File,
     bytes: u64,
     hasher: Hasher,
+    stop: fn() -> bool,
 }
 
 enum Hasher {
@@ -27,8 +28,9 @@ enum Hasher {
 }
 
 impl HashedFile {
-    pub(super) fn new(file: File) -> HashedFile {
-        HashedFile { file, bytes: 0, hasher: Hasher::Here(Sha256::new()) }
+    /// A file that fails to be written as soon as `stop` says yes.
+    pub(super) fn new(file: File, stop: fn() -> bool) -> HashedFile {
+        HashedFile { file, bytes: 0, hasher: Hasher::Here(Sha256::new()), stop }
     }
 
     /// The file, its length, and the hash of what was written as lower-case hexadecimal.
@@ -72,6 +74,9 @@ fn beside(mut hasher: Sha256) -> Hasher {
 
 impl Write for HashedFile {
     fn write(&mut self, buffer: &[u8]) -> io::Result<usize> {
+        if (self.stop)() {
+            return Err(io::Error::other("it was stopped"));
+        }
         let count = self.file.write(buffer)?;
         self.bytes += count as u64;
         self.hash(&buffer[..count])?;
@@ -92,7 +97,7 @@ mod tests {
         let path = std::env::temp_dir().join(format!("ifs-hashed-{}", std::process::id()));
         for size in [0, 1000, LARGE as usize, 3 * LARGE as usize + 17] {
             let bytes: Vec<u8> = (0..size).map(|place| (place * 31 % 251) as u8).collect();
-            let mut file = HashedFile::new(File::create(&path).unwrap());
+            let mut file = HashedFile::new(File::create(&path).unwrap(), || false);
             for piece in bytes.chunks(70_000) {
                 file.write_all(piece).unwrap();
             }

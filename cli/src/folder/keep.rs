@@ -13,16 +13,17 @@ impl Staging {
     pub fn keep_set(&mut self, except: &str) -> Result<Option<Provenance>, FolderError> {
         let target = self.place.target.clone();
         let Some(manifest) = Manifest::read(&target)? else { return Ok(None) };
-        for record in manifest.files {
+        for record in manifest.files.iter().cloned() {
             let (source, copy) = (target.join(&record.path), self.place.staging.join(&record.path));
             if record.path == except || !source.is_file() {
                 continue;
             }
+            self.go_on()?;
             self.make_folders(&copy)?;
             link(&source, &copy).map_err(FolderError::io("keep", &source))?;
             self.files.insert(record.path.clone(), record);
         }
-        let (sources, parameters, left_out) = (manifest.sources, manifest.parameters, manifest.left_out);
-        Ok(Some(Provenance { sources, parameters, left_out, failed: true }))
+        let Manifest { sources, parameters, set, machine, left_out, .. } = manifest;
+        Ok(Some(Provenance { sources, parameters, set, machine, left_out, failed: true }))
     }
 }

@@ -5,7 +5,7 @@ use std::io;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
-use super::FolderError;
+use super::{FolderError, WAIT};
 
 /// A lock held. Dropping it removes the file and lets the next build in.
 #[derive(Debug)]
@@ -16,8 +16,12 @@ pub(super) struct Lock {
 }
 
 impl Lock {
-    /// Takes the lock, waiting for whoever holds it; `waiting` is called once before.
-    pub(super) fn take(path: &Path, waiting: &mut dyn FnMut()) -> Result<Lock, FolderError> {
+    /// Takes the lock, waiting for whoever holds it until `stop` says yes; `waiting` is called once before.
+    pub(super) fn take(
+        path: &Path,
+        stop: fn() -> bool,
+        waiting: &mut dyn FnMut(),
+    ) -> Result<Lock, FolderError> {
         let mut told = false;
         loop {
             let file = OpenOptions::new()
@@ -33,7 +37,12 @@ impl Lock {
                         waiting();
                         told = true;
                     }
-                    file.lock().map_err(FolderError::io("take the lock", path))?;
+                    if stop() {
+                        return Err(FolderError::Stopped);
+                    }
+                    // The system's own waiting cannot be given up.
+                    std::thread::sleep(WAIT);
+                    continue;
                 }
                 Err(TryLockError::Error(error)) => {
                     return Err(FolderError::io("take the lock", path)(error));

@@ -26,6 +26,10 @@ pub struct Provenance {
     pub sources: Vec<SourceRecord>,
     /// The values of all parameters, as text in the language.
     pub parameters: BTreeMap<String, String>,
+    /// The names of the parameters that were set from outside.
+    pub set: BTreeSet<String>,
+    /// The machine that was named from outside of the design: a file of the project and a name in it.
+    pub machine: Option<String>,
     /// What was not made though it could be; none where everything was.
     pub left_out: Option<LeftOutRecord>,
     /// Whether the last build failed: then only what it said is new, and the rest is of the build before.
@@ -99,6 +103,12 @@ pub struct Manifest {
     pub sources: Vec<SourceRecord>,
     /// The values of all parameters.
     pub parameters: BTreeMap<String, String>,
+    /// The names of those that were set from outside; absent where none was.
+    #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
+    pub set: BTreeSet<String>,
+    /// The machine that was named from outside, `machines.ifs:router`; absent where the design's own are used.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub machine: Option<String>,
     /// What was not made though it could be; absent where everything was.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub left_out: Option<LeftOutRecord>,
@@ -120,6 +130,8 @@ impl Manifest {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             sources,
             parameters: provenance.parameters.clone(),
+            set: provenance.set.clone(),
+            machine: provenance.machine.clone(),
             left_out: provenance.left_out.clone(),
             failed: provenance.failed,
             files: files.into_values().collect(),

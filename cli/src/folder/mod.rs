@@ -26,6 +26,7 @@ mod replace;
 mod staging;
 
 use std::path::Path;
+use std::time::Duration;
 
 pub use error::FolderError;
 pub use manifest::{FileRecord, LeftOutRecord, Manifest, Provenance, SourceRecord, verify};
@@ -34,6 +35,25 @@ pub use staging::{Committed, Staging};
 
 use lock::Lock;
 use place::Place;
+
+/// How a set is made: by which way of replacing, and when it is given up.
+#[derive(Debug, Clone, Copy)]
+pub struct Making {
+    /// How the new set takes the place of the old one.
+    pub exchange: Exchange,
+    /// Asked again and again until the new set takes its place; where it says yes the making ends with
+    /// [`FolderError::Stopped`], and leaves no trace.
+    pub stop: fn() -> bool,
+}
+
+impl Default for Making {
+    fn default() -> Making {
+        Making { exchange: Exchange::System, stop: || false }
+    }
+}
+
+/// How long a build sleeps between two looks at the lock of another.
+const WAIT: Duration = Duration::from_millis(50);
 
 /// The way into the room: where a set of outputs begins.
 #[derive(Debug, Clone, Copy)]
@@ -48,23 +68,23 @@ impl OutputFolder {
     /// The target is no folder, has no name, holds the working folder, its `manifest.json` is somebody else's, or the
     /// system refuses (read-only, full, no permission). Nothing was changed then.
     pub fn stage(target: &Path) -> Result<Staging, FolderError> {
-        Self::stage_with(target, Exchange::System, &mut || ())
+        Self::stage_with(target, Making::default(), &mut || ())
     }
 
-    /// As [`OutputFolder::stage`], with the way of replacing chosen, and `waiting` called once before the process
+    /// As [`OutputFolder::stage`], with the way of replacing chosen, with a way to stop, and `waiting` called once before the process
     /// waits for another build (so that a person can be told).
     ///
     /// # Errors
     /// As [`OutputFolder::stage`].
     pub fn stage_with(
         target: &Path,
-        exchange: Exchange,
+        making: Making,
         waiting: &mut dyn FnMut(),
     ) -> Result<Staging, FolderError> {
         let place = Place::resolve(target)?;
-        let lock = Lock::take(&place.lock, waiting)?;
+        let lock = Lock::take(&place.lock, making.stop, waiting)?;
         replace::recover(&place)?;
-        Staging::open(place, lock, exchange)
+        Staging::open(place, lock, making)
     }
 
     /// Finishes or rolls back what a killed build left beside `target`, for commands that read the folder. Nothing
@@ -77,7 +97,7 @@ impl OutputFolder {
         if !replace::is_unfinished(&place) {
             return Ok(());
         }
-        let _lock = Lock::take(&place.lock, &mut || ())?;
+        let _lock = Lock::take(&place.lock, Making::default().stop, &mut || ())?;
         replace::recover(&place)
     }
 }

@@ -10,8 +10,8 @@ use super::lock::Lock;
 use super::manifest::{FileRecord, Manifest, Provenance};
 use super::names::{MANIFEST, check_relative, check_source};
 use super::place::Place;
-use super::replace::{self, Exchange};
-use super::{FolderError, foreign};
+use super::replace;
+use super::{FolderError, Making, foreign};
 
 /// Up to so many files are flushed one by one.
 const FLUSHED_ONE_BY_ONE: usize = 16;
@@ -20,7 +20,7 @@ const FLUSHED_ONE_BY_ONE: usize = 16;
 #[derive(Debug)]
 pub struct Staging {
     pub(super) place: Place,
-    exchange: Exchange,
+    making: Making,
     pub(super) files: BTreeMap<String, FileRecord>,
     folders: BTreeSet<PathBuf>,
     /// Files that are written but perhaps not on the disk yet.
@@ -46,13 +46,13 @@ pub struct Committed {
 
 impl Staging {
     /// Makes the staging folder. The lock is held and nothing of an earlier build lies beside the target.
-    pub(super) fn open(place: Place, lock: Lock, exchange: Exchange) -> Result<Staging, FolderError> {
+    pub(super) fn open(place: Place, lock: Lock, making: Making) -> Result<Staging, FolderError> {
         Manifest::read(&place.target)?;
         fs::create_dir(&place.staging).map_err(FolderError::io("make the folder", &place.staging))?;
         let staging = Staging {
             folders: BTreeSet::from([place.staging.clone()]),
             place,
-            exchange,
+            making,
             files: BTreeMap::new(),
             unflushed: Vec::new(),
             _lock: lock,
@@ -90,14 +90,18 @@ impl Staging {
         address: Option<&str>,
         fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<(), FolderError> {
+        self.go_on()?;
         check_relative(relative)?;
         if self.files.contains_key(relative) {
             return Err(FolderError::Duplicate(relative.to_owned()));
         }
         let path = self.place.staging.join(relative);
         self.make_folders(&path)?;
-        let (_, bytes, sha256) =
-            write_hashed(&path, fill).map_err(FolderError::io("write", &self.place.target.join(relative)))?;
+        let written = write_hashed(&path, self.making.stop, fill);
+        let (_, bytes, sha256) = written.map_err(|error| match self.go_on() {
+            Err(stopped) => stopped,
+            Ok(()) => FolderError::io("write", &self.place.target.join(relative))(error),
+        })?;
         self.unflushed.push(path);
         let record = FileRecord {
             path: relative.to_owned(),
@@ -108,6 +112,11 @@ impl Staging {
         };
         self.files.insert(relative.to_owned(), record);
         Ok(())
+    }
+
+    /// An error where the set is given up.
+    pub(super) fn go_on(&self) -> Result<(), FolderError> {
+        if (self.making.stop)() { Err(FolderError::Stopped) } else { Ok(()) }
     }
 
     /// Makes the folders between the staging folder and a file.
@@ -134,17 +143,19 @@ impl Staging {
         let manifest = Manifest::new(provenance, std::mem::take(&mut self.files));
         let before = foreign::Before::read(&self.place.target)?;
         before.link_into(&self.place.staging, &mut self.folders)?;
+        self.go_on()?;
         flush_files(&self.place.staging, &self.unflushed)?;
         let path = self.place.staging.join(MANIFEST);
         manifest
             .to_bytes()
-            .and_then(|bytes| write_hashed(&path, |out| out.write_all(&bytes)))
+            .and_then(|bytes| write_hashed(&path, || false, |out| out.write_all(&bytes)))
             .and_then(|(file, _, _)| file.sync_all())
             .map_err(FolderError::io("write", &self.place.target.join(MANIFEST)))?;
         for folder in self.folders.iter().rev() {
             flush_folder(folder)?;
         }
-        replace::replace(&self.place, self.exchange)?;
+        self.go_on()?;
+        replace::replace(&self.place, self.making.exchange)?;
         let leftover = replace::sweep(&self.place).err();
         let names = manifest.names();
         let removed = before.own.iter().filter(|name| !names.contains(*name));
@@ -165,13 +176,14 @@ impl Drop for Staging {
     }
 }
 
-/// Writes a new file; returns it with its length and hash.
+/// Writes a new file, unless it is stopped on the way; returns it with its length and hash.
 fn write_hashed(
     path: &Path,
+    stop: fn() -> bool,
     fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<(File, u64, String)> {
     let file = OpenOptions::new().write(true).create_new(true).open(path)?;
-    let mut out = BufWriter::with_capacity(1 << 16, HashedFile::new(file));
+    let mut out = BufWriter::with_capacity(1 << 16, HashedFile::new(file, stop));
     fill(&mut out)?;
     out.into_inner().map_err(io::IntoInnerError::into_error)?.finish()
 }

@@ -48,10 +48,22 @@ pub struct Fabrication {
 /// What the elements of a block are cut from together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Nest {
-    /// Boards from raw boards.
-    Sheets(Sheet),
+    /// Boards from raw boards, and what of them gets a program.
+    Sheets(Sheet, Programs),
     /// Planks from raw bars.
     Bars(Stock),
+}
+
+/// What of nested boards gets a program where there is a machine. The places are those of the words of
+/// [`ChoiceKind::Programs`](crate::hir::schema::ChoiceKind::Programs).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Programs {
+    /// Each board alone, and each sheet.
+    Both,
+    /// Each board alone.
+    Boards,
+    /// Each sheet, and boards that lie on none.
+    Sheets,
 }
 
 /// Boards or planks.
@@ -153,12 +165,12 @@ pub struct PlankFigure {
     pub labels: Vec<Label>,
 }
 
-/// Works a block out; `None` after a report.
+/// Works a block out, with another machine than its own where one is given; `None` after a report.
 pub(super) fn fabricate(
     hir: &Hir,
     evaluator: &mut Evaluator<'_>,
     plan: &Lowered,
-    block: &Fabricate,
+    (block, machine): (&Fabricate, Option<&Value>),
     watch: &mut dyn Watch,
 ) -> (Option<Fabrication>, Vec<Diagnostic>) {
     let leave_unplanarized = evaluator.leaves_unplanarized();
@@ -166,6 +178,7 @@ pub(super) fn fabricate(
         hir,
         plan,
         block,
+        machine,
         watch,
         scale: 1.0,
         settings: Vec::new(),
@@ -180,6 +193,7 @@ struct Work<'a> {
     hir: &'a Hir,
     plan: &'a Lowered,
     block: &'a Fabricate,
+    machine: Option<&'a Value>,
     watch: &'a mut dyn Watch,
     scale: f64,
     settings: Vec<SettingValue>,
@@ -193,6 +207,7 @@ impl Work<'_> {
             let value = evaluator.in_block(&setting.value, self.block.slots, None).ok()?;
             self.settings.push((setting.name, value, setting.value.span));
         }
+        self.put_machine();
         self.scale = self.scale_asked()?;
         let material = self.setting("material").map(|(_, value, _)| value.clone());
         let mut limits: Vec<LimitValue> = Vec::new();
@@ -222,6 +237,15 @@ impl Work<'_> {
         let figure = self.hir.item(self.block.figure).name.clone();
         let settings = std::mem::take(&mut self.settings);
         Some(Fabrication { figure, scale: self.scale, elements, settings, nest, requirements })
+    }
+
+    /// Puts the machine that is named from outside in the place of the block's own, or gives it to one without.
+    fn put_machine(&mut self) {
+        let Some(machine) = self.machine else { return };
+        match self.settings.iter_mut().find(|(name, _, _)| *name == "machine") {
+            Some((_, value, _)) => *value = machine.clone(),
+            None => self.settings.push(("machine", machine.clone(), self.block.figure_span)),
+        }
     }
 
     /// Reports what no figure can hold, and masses that are not known.

@@ -9,10 +9,12 @@ pub(super) mod problems;
 pub use meshes::MeshFile;
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::hir::evaluate::MachineName;
 use crate::hir::{ImportedMesh, LIBRARY};
 use crate::source::{FileId, Files, ReadError, SourceMap, Span};
 use crate::syntax::{Parse, ast, parse};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// The most files a design may be made of.
 pub const MOST_FILES: usize = 1000;
@@ -57,11 +59,14 @@ pub(super) struct Loaded {
     pub(super) files: Vec<ProjectFile>,
     /// The meshes that any of them names and that could be read, in the order they are met.
     pub(super) meshes: Vec<MeshFile>,
-    pub(super) library: Library,
+    /// The file in which a machine is named from outside.
+    pub(super) machine: Option<FileId>,
+    pub(super) library: &'static Library,
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
-pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
+/// Reads a design, and the file of a machine that is named from outside.
+pub(super) fn load(files: &dyn Files, root: &str, machine: Option<&MachineName>) -> Loaded {
     let mut loader = Loader {
         files,
         sources: SourceMap::default(),
@@ -90,11 +95,11 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
             });
         }
     }
-    let mut library = Library::default();
+    let library = library();
     for (name, text) in LIBRARY {
-        let file = loader.sources.add(format!("std.{name}"), *text);
-        library.modules.push((name, file, parse_of(&loader.sources, file).ast));
+        loader.sources.add(format!("std.{name}"), *text);
     }
+    let machine = machine.and_then(|machine| loader.machine(machine));
     let mut next = 0;
     while next < loader.found.len() {
         loader.follow(next);
@@ -106,9 +111,24 @@ pub(super) fn load(files: &dyn Files, root: &str) -> Loaded {
         sources: loader.sources,
         files: loader.found,
         meshes: loader.meshes.files,
+        machine,
         library,
         diagnostics: loader.diagnostics,
     }
+}
+
+/// The library, parsed once: its files stand behind the design's own in every analysis, so they go by the same identities.
+fn library() -> &'static Library {
+    static PARSED: OnceLock<Library> = OnceLock::new();
+    PARSED.get_or_init(|| {
+        let mut sources = SourceMap::default();
+        sources.add("", "");
+        let modules = LIBRARY.iter().map(|(name, text)| {
+            let file = sources.add(format!("std.{name}"), *text);
+            (*name, file, parse_of(&sources, file).ast)
+        });
+        Library { modules: modules.collect() }
+    })
 }
 
 fn parse_of(sources: &SourceMap, file: FileId) -> Parse {
@@ -156,6 +176,24 @@ impl Loader<'_> {
             readable,
         });
         place
+    }
+
+    /// The file of a machine that is named from outside; `None` after a report.
+    fn machine(&mut self, machine: &MachineName) -> Option<FileId> {
+        let read = match self.known.get(&machine.file) {
+            Some(known) => known.clone(),
+            None => self.read(&machine.file),
+        };
+        let error = match read {
+            Ok(place) => return Some(self.found[place].file),
+            Err(Failure::Unreadable(error)) => error,
+            Err(Failure::TooManyFiles | Failure::TooManyBytes) => {
+                ReadError::Other("the design has too many files, or too large ones".to_owned())
+            }
+        };
+        let root = self.found.first().map_or(FileId(0), |file| file.file);
+        self.diagnostics.push(super::machine::unreadable(machine, &error, root));
+        None
     }
 
     /// Reads the files that a file uses.

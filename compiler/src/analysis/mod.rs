@@ -4,6 +4,7 @@
 mod cascades;
 mod fabrication;
 mod load;
+mod machine;
 mod measures;
 mod mend;
 pub mod parameters;
@@ -16,7 +17,9 @@ mod single;
 mod testing;
 mod watch;
 
-pub use fabrication::{Elements, Fabrication, Nest, PanelFigure, PanelsMade, PlankFigure, PlanksMade};
+pub use fabrication::{
+    Elements, Fabrication, Nest, PanelFigure, PanelsMade, PlankFigure, PlanksMade, Programs,
+};
 pub(crate) use fabrication::{nested_panel, nested_plank};
 pub use load::{Library, MOST_BYTES, MOST_FILES, MeshFile, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry, piece_labels};
@@ -27,7 +30,7 @@ pub use testing::{TestResult, Verdict, run_tests};
 pub use watch::{Unwatched, Watch};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Severity, did_you_mean};
-use crate::hir::evaluate::{Evaluator, Overrides, ParameterValue};
+use crate::hir::evaluate::{Evaluator, MachineName, Overrides, ParameterValue};
 use crate::hir::index::Index;
 use crate::hir::tree::{Hir, Item, ItemKind};
 use crate::hir::{Checked, ModuleSource, check, check_indexed};
@@ -54,6 +57,8 @@ pub struct Analysis {
     pub parameters: Vec<ParameterValue>,
     /// The names of those that were set from outside.
     pub set_parameters: BTreeSet<String>,
+    /// The machine that is named from outside, its file by the path from the root of the project.
+    pub machine: Option<MachineName>,
     /// Its plan; none where it has errors.
     pub plan: Option<Lowered>,
     /// What its fabricate blocks make; empty where it has errors.
@@ -136,7 +141,7 @@ fn read_by(
     root: &str,
     overrides: &Overrides,
 ) -> Analysis {
-    let loaded = load::load(files, root);
+    let loaded = load::load(files, root, overrides.machine.as_ref());
     let root = loaded.files.first().map_or(FileId(0), |file| file.file);
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(loaded.diagnostics);
@@ -144,10 +149,17 @@ fn read_by(
     for file in loaded.files.iter().filter(|file| file.readable) {
         diagnostics.extend(file.parse.diagnostics.iter().cloned());
     }
-    let Checked { hir, diagnostics: found, index } = check(&modules(&loaded.files, &loaded.library));
+    let machine = overrides.machine.as_ref().map(|named| {
+        let found = loaded.files.iter().find(|file| Some(file.file) == loaded.machine);
+        let file = found.map_or_else(|| named.file.clone(), |file| file.path.clone());
+        MachineName { file, ..named.clone() }
+    });
+    let Checked { mut hir, diagnostics: found, index } = check(&modules(&loaded.files, loaded.library));
     diagnostics.extend(cascades::without(found, &loaded.files, &loaded.sources));
     if !diagnostics.has_errors() {
         diagnostics.extend(unknown_parameters(&hir, &loaded.sources, overrides));
+        hir.machine_file = loaded.machine;
+        diagnostics.extend(machine::name_faults(&hir, overrides));
     }
     Analysis {
         sources: loaded.sources,
@@ -157,6 +169,7 @@ fn read_by(
         hir,
         index,
         parameters: Vec::new(),
+        machine,
         set_parameters: overrides.parameters.keys().chain(overrides.defaults.keys()).cloned().collect(),
         plan: None,
         fabrications: Vec::new(),
@@ -204,16 +217,27 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch)
     diagnostics.extend(found);
     let parameters = parameters(hir, &mut evaluator);
     let mut fabrications = Vec::new();
+    let machine = match machine::machine(hir, &mut evaluator, overrides) {
+        Ok(machine) => machine,
+        Err(found) => {
+            diagnostics.extend(found);
+            None
+        }
+    };
     if let Some(plan) = &plan {
         for block in &hir.fabricates {
-            let (made, found) = fabrication::fabricate(hir, &mut evaluator, plan, block, watch);
+            if watch.step().is_break() {
+                break;
+            }
+            let (made, found) =
+                fabrication::fabricate(hir, &mut evaluator, plan, (block, machine.as_ref()), watch);
             diagnostics.extend(found);
             fabrications.extend(made);
         }
     }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
     if mend {
-        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated);
+        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated, watch);
         let failed: Vec<Diagnostic> = evaluated
             .fabrications
             .iter()

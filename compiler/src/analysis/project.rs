@@ -2,6 +2,7 @@
 //! reading the file is the caller's work.
 
 use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::hir::evaluate::MachineName;
 use crate::hir::tree::{Hir, ItemKind};
 use crate::source::{FileId, Span};
 use std::collections::BTreeMap;
@@ -17,6 +18,8 @@ const KEYS: &[&str] = &["out", "machine", "params"];
 pub struct ProjectSettings {
     /// The folder, relative to that of the `ifs.toml`, in which each design has its output folder. It stays inside.
     pub out: Option<(String, Span)>,
+    /// The machine that cuts all designs, with its file relative to the folder of the `ifs.toml`.
+    pub machine: Option<(MachineName, Span)>,
     /// Values of parameters by name, as the language writes them. A design takes those it has.
     pub parameters: BTreeMap<String, (String, Span)>,
 }
@@ -83,12 +86,7 @@ impl Reader {
             match key.get_ref().as_ref() {
                 "out" => self.out(value),
                 "params" => self.parameters(value),
-                "machine" => {
-                    let message = "a machine for all designs of a project is not available yet";
-                    let diagnostic = Diagnostic::new(Code::E0001, at, message).label("still to come");
-                    let hint = "name it in each fabricate block: `machine: router3(tool: 8mm)`";
-                    self.diagnostics.push(diagnostic.hint(hint));
-                }
+                "machine" => self.machine(value),
                 other => self.unknown(other, at),
             }
         }
@@ -132,6 +130,26 @@ impl Reader {
             return;
         };
         self.refuse(at, format!("the folder `{}` {why}", text.escape_debug()), hint);
+    }
+
+    fn machine(&mut self, value: &Spanned<DeValue<'_>>) {
+        let at = self.at(value.span());
+        let hint = "name a file of the project and a machine in it: `machine = \"machines.ifs:router\"`";
+        let DeValue::String(text) = value.get_ref() else {
+            self.refuse(at, "`machine` is the name of a machine, a text".to_owned(), hint);
+            return;
+        };
+        match MachineName::split(text) {
+            Some((file, name)) => {
+                let whence = "`ifs.toml`".to_owned();
+                let (file, name) = (file.to_owned(), name.to_owned());
+                self.settings.machine = Some((MachineName { file, name, whence }, at));
+            }
+            None => {
+                let message = format!("`{}` is no file and name", text.escape_debug());
+                self.refuse(at, message, hint);
+            }
+        }
     }
 
     fn parameters(&mut self, value: &Spanned<DeValue<'_>>) {
@@ -206,7 +224,18 @@ mod tests {
         assert!(found.iter().all(|found| found.code == Code::E0314));
         assert_eq!(found[0].hints[0].text, "did you mean `out`?");
         assert_eq!((found[1].span.start, found[1].span.end), (14, 18));
-        assert_eq!(read("machine = \"router3\"\n").1, [(Code::E0001, "machine".to_owned())]);
+    }
+
+    #[test]
+    fn a_machine_is_a_file_and_a_name() {
+        let (settings, said) = read("machine = \"shop/machines.ifs:router\"\n");
+        assert!(said.is_empty(), "{said:?}");
+        let (machine, _) = settings.machine.unwrap();
+        assert_eq!((machine.file.as_str(), machine.name.as_str()), ("shop/machines.ifs", "router"));
+        for machine in ["3", "\"router3\"", "\":router\"", "\"machines.ifs:\""] {
+            let (settings, said) = read(&format!("machine = {machine}\n"));
+            assert_eq!((settings.machine, said.as_slice()), (None, &[(Code::E0315, machine.to_owned())][..]));
+        }
     }
 
     #[test]

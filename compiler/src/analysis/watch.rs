@@ -11,6 +11,27 @@ pub trait Watch {
 
     /// Said when the named figure is done.
     fn planarized(&mut self, figure: &str);
+
+    /// Said before each block, and before each variant of the design in which remedies are looked for. After a `Break`
+    /// the rest is left out of the analysis without a diagnostic, as above.
+    fn step(&mut self) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// Tells another of steps only: how a variant of the design is planarized is nobody's news.
+pub(super) struct Quietly<'a>(pub(super) &'a mut dyn Watch);
+
+impl Watch for Quietly<'_> {
+    fn planarizing(&mut self, _: &str, _: &Progress) -> ControlFlow<()> {
+        self.0.step()
+    }
+
+    fn planarized(&mut self, _: &str) {}
+
+    fn step(&mut self) -> ControlFlow<()> {
+        self.0.step()
+    }
 }
 
 /// Looks away.

@@ -193,6 +193,11 @@ codes! {
     // End cuts and edges.
     E0850 Error "an end cut that the machine cannot make",
 
+    // A machine that is named from outside.
+    E0860 Error "a machine whose file cannot be read",
+    E0861 Error "a machine that its file does not have",
+    E0862 Error "something other than a machine",
+
     // NC programs.
     E0901 Error "an NC program that cannot be made",
     E0902 Error "an NC program that its read-back refuses",
@@ -203,6 +208,8 @@ codes! {
     W0932 Warning "a part that is too large to be nested",
     E0933 Error "planks nested without a length of stock",
     E0934 Error "a nest that its check refuses",
+    E0935 Error "a sheet that its machine cannot cut",
+    E0936 Error "the program of a sheet that its read-back refuses",
 
     // Tests.
     E1001 Error "an assertion that fails",

@@ -1,6 +1,6 @@
 //! Diagnostics for programs: one JSON object a line.
 
-use super::{Diagnostic, Severity};
+use super::{Diagnostic, Fix, Severity};
 use crate::source::{SourceMap, Span};
 use serde::Serialize;
 
@@ -17,15 +17,21 @@ struct JsonPlace<'a> {
 }
 
 #[derive(Serialize)]
-struct JsonFix<'a> {
+struct JsonEdit<'a> {
     at: JsonPlace<'a>,
     replacement: &'a str,
 }
 
 #[derive(Serialize)]
+struct JsonFix<'a> {
+    title: String,
+    edits: Vec<JsonEdit<'a>>,
+}
+
+#[derive(Serialize)]
 struct JsonHint<'a> {
     text: &'a str,
-    fix: Option<JsonFix<'a>>,
+    fixes: Vec<JsonFix<'a>>,
 }
 
 #[derive(Serialize)]
@@ -47,10 +53,7 @@ pub fn render_json(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     };
     let hints = diagnostic.hints.iter().map(|hint| JsonHint {
         text: &hint.text,
-        fix: hint
-            .fix
-            .as_ref()
-            .map(|fix| JsonFix { at: place(fix.span, "", sources), replacement: &fix.replacement }),
+        fixes: hint.fixes.iter().map(|fix| json_fix(fix, sources)).collect(),
     });
     let json = JsonDiagnostic {
         code: diagnostic.code.name(),
@@ -62,6 +65,14 @@ pub fn render_json(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
         hints: hints.collect(),
     };
     serde_json::to_string(&json).unwrap_or_default()
+}
+
+fn json_fix<'a>(fix: &'a Fix, sources: &'a SourceMap) -> JsonFix<'a> {
+    let edits = fix
+        .edits
+        .iter()
+        .map(|edit| JsonEdit { at: place(edit.span, "", sources), replacement: &edit.replacement });
+    JsonFix { title: fix.title(sources), edits: edits.collect() }
 }
 
 fn place<'a>(span: Span, text: &'a str, sources: &'a SourceMap) -> JsonPlace<'a> {

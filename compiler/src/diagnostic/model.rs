@@ -1,6 +1,6 @@
 //! The diagnostic itself, owned by us and known to no protocol.
 
-use super::{Code, Severity};
+use super::{Code, Fix, Severity};
 use crate::source::Span;
 
 /// A place and what is said of it.
@@ -12,22 +12,13 @@ pub struct Label {
     pub text: String,
 }
 
-/// A change of the text that would mend the matter.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fix {
-    /// What is replaced.
-    pub span: Span,
-    /// What stands there afterwards.
-    pub replacement: String,
-}
-
-/// A line of help, with a change of the text where one is known.
+/// A line of help, with the changes of the text that would do it, where they are known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hint {
     /// The sentence.
     pub text: String,
-    /// The change.
-    pub fix: Option<Fix>,
+    /// The changes, each of which is enough; empty where the sentence is all there is.
+    pub fixes: Vec<Fix>,
 }
 
 /// One thing that is wrong, or worth knowing.
@@ -86,17 +77,26 @@ impl Diagnostic {
 
     /// A way to mend it.
     #[must_use]
-    pub fn hint(mut self, text: impl Into<String>) -> Self {
-        self.hints.push(Hint { text: text.into(), fix: None });
-        self
+    pub fn hint(self, text: impl Into<String>) -> Self {
+        self.ways(text, Vec::new())
     }
 
     /// A way to mend it, as a change of the text.
     #[must_use]
-    pub fn fix(mut self, text: impl Into<String>, span: Span, replacement: impl Into<String>) -> Self {
-        let fix = Fix { span, replacement: replacement.into() };
-        self.hints.push(Hint { text: text.into(), fix: Some(fix) });
+    pub fn fix(self, text: impl Into<String>, span: Span, replacement: impl Into<String>) -> Self {
+        self.ways(text, vec![Fix::replacing(span, replacement)])
+    }
+
+    /// A way to mend it with the changes of the text that do it, each of which is enough.
+    #[must_use]
+    pub fn ways(mut self, text: impl Into<String>, fixes: Vec<Fix>) -> Self {
+        self.hints.push(Hint { text: text.into(), fixes });
         self
+    }
+
+    /// The changes of the text that would mend it, of all its hints in order.
+    pub fn fixes(&self) -> impl Iterator<Item = &Fix> {
+        self.hints.iter().flat_map(|hint| &hint.fixes)
     }
 
     /// How grave it is, as the table says.

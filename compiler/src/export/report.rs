@@ -37,6 +37,9 @@ pub struct Report {
     pub sources: Vec<SourceReport>,
     /// Its parameters, in the order of the sources.
     pub parameters: Vec<Parameter>,
+    /// The machine that was named from outside, `machines.ifs:router`; none where the design's own are used.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub machine: Option<String>,
     /// Its figures, in the order of the sources.
     pub figures: Vec<FigureReport>,
     /// What was made of them.
@@ -59,6 +62,7 @@ impl Report {
             design_hash: String::new(),
             sources: Vec::new(),
             parameters: Vec::new(),
+            machine: None,
             figures: Vec::new(),
             fabrications: Vec::new(),
             sheets: Vec::new(),

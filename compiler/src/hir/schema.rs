@@ -32,6 +32,8 @@ pub enum ChoiceKind {
     CutDirection,
     /// Where a program's Z is zero.
     ZZero,
+    /// What of nested boards gets a program.
+    Programs,
 }
 
 /// One word of a choice.
@@ -58,7 +60,9 @@ impl ChoiceKind {
         const DIALECT: &[Word] = &[word("linuxcnc"), word("grbl"), word("fanuc")];
         const CUT_DIRECTION: &[Word] = &[word("climb"), word("conventional")];
         const Z_ZERO: &[Word] = &[word("top_of_stock"), word("table")];
+        const PROGRAMS: &[Word] = &[word("both"), word("boards"), word("sheets")];
         match self {
+            ChoiceKind::Programs => PROGRAMS,
             ChoiceKind::Dialect => DIALECT,
             ChoiceKind::CutDirection => CUT_DIRECTION,
             ChoiceKind::ZZero => Z_ZERO,
@@ -224,6 +228,12 @@ fn sheets() -> Vec<Setting> {
     vec![
         setting("gap", Type::LENGTH, false, "the least distance between boards"),
         setting("margin", Type::LENGTH, false, "the least distance from the edge of the raw board"),
+        setting(
+            "programs",
+            Type::Choice(ChoiceKind::Programs),
+            false,
+            "what gets a program: boards, sheets or both",
+        ),
     ]
 }
 

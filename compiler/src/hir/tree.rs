@@ -31,6 +31,8 @@ pub struct Hir {
     pub root: FileId,
     /// The files of the library.
     pub library: Vec<FileId>,
+    /// The file in which a machine is named from outside, where there is one.
+    pub machine_file: Option<FileId>,
 }
 
 impl Hir {
@@ -355,6 +357,15 @@ pub struct Expr {
     pub ty: Type,
     /// Where.
     pub span: Span,
+}
+
+/// Whether an expression is a number as it stands there, perhaps with its sign, so that another can be written instead.
+pub fn is_literal(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Scalar(_) => true,
+        ExprKind::Negate(inner) | ExprKind::Convert(inner) => is_literal(inner),
+        _ => false,
+    }
 }
 
 /// What an expression is.

@@ -15,8 +15,8 @@ use crate::fabricate::machine::{Machine, Tool};
 use crate::fabricate::toolpath::engraving;
 
 /// The layers that are the same in every drawing.
-const DESIGN: &str = "DESIGN";
-const NOTES: &str = "NOTES";
+pub(super) const DESIGN: &str = "DESIGN";
+pub(super) const NOTES: &str = "NOTES";
 
 /// The drawing of every board that is wanted.
 pub(super) fn drawings(blocks: &[Block<'_>]) -> Vec<Output> {
@@ -27,7 +27,7 @@ fn block(block: &Block<'_>) -> Vec<Output> {
     let machine = block.machine.as_ref().map(|(machine, _)| machine);
     let mut designs = designs(&block.made.elements);
     let mut outputs = Vec::new();
-    for job in &block.jobs {
+    for (_, job) in block.jobs() {
         // Jobs are in the order of the elements, which may be more.
         let Some((_, design, material)) = designs.find(|(address, _, _)| *address == job.address) else {
             continue;
@@ -44,7 +44,7 @@ fn block(block: &Block<'_>) -> Vec<Output> {
 }
 
 /// Address, design outline and material of each element.
-fn designs(elements: &Elements) -> Box<dyn Iterator<Item = (&str, &[DVec2], &str)> + '_> {
+pub(super) fn designs(elements: &Elements) -> Box<dyn Iterator<Item = (&str, &[DVec2], &str)> + '_> {
     match elements {
         Elements::Panels(made) => Box::new(made.panels.iter().map(|panel| {
             (
@@ -63,7 +63,7 @@ fn drawing(job: &CutJob, design: &[DVec2], material: &str, machine: Option<&Mach
     let mut drawing = Drawing::default();
     let layer = drawing.layer(DESIGN, Colour::Grey);
     drawing.outline(layer, design);
-    let (cut, engraved) = (cut_layer(job, machine), engraved_layer(machine));
+    let (cut, engraved) = (cut_layer(job.thickness, machine), engraved_layer(machine));
     let layer = drawing.layer(&cut, Colour::Red);
     drawing.outline(layer, &job.outline);
     // Where the alias has no room and there is no machine to refuse it for that, the notes still say it.
@@ -76,18 +76,18 @@ fn drawing(job: &CutJob, design: &[DVec2], material: &str, machine: Option<&Mach
 }
 
 /// `CUT T1 straight cutter 18.5mm`, or `CUT` where no machine is known.
-fn cut_layer(job: &CutJob, machine: Option<&Machine>) -> String {
+pub(super) fn cut_layer(thickness: f64, machine: Option<&Machine>) -> String {
     machine.map_or_else(
         || "CUT".to_owned(),
         |machine| {
-            let depth = machine.top(job.thickness) - machine.bottom(job.thickness);
+            let depth = machine.top(thickness) - machine.bottom(thickness);
             layer_name("CUT", machine.cutter(), depth)
         },
     )
 }
 
 /// `ENGRAVE T2 engraver 0.4mm`, or `ENGRAVE` where no machine is known.
-fn engraved_layer(machine: Option<&Machine>) -> String {
+pub(super) fn engraved_layer(machine: Option<&Machine>) -> String {
     machine.map_or_else(
         || "ENGRAVE".to_owned(),
         |machine| layer_name("ENGRAVE", machine.engraver(), machine.spec().engrave_depth),

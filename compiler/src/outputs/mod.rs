@@ -14,6 +14,8 @@ mod place;
 mod programs;
 mod report;
 mod selection;
+mod sheet_drawings;
+mod sheet_programs;
 mod sheets;
 mod timber;
 
@@ -109,8 +111,31 @@ impl Outputs {
     }
 }
 
+/// How far the outputs are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Making {
+    /// So many boards of a block of `of` boards have their programs, each read back.
+    Programs {
+        /// Boards with programs.
+        done: usize,
+        /// All of the block.
+        of: usize,
+    },
+    /// Boards are being nested.
+    Nests,
+    /// Lists and drawings are being made.
+    Lists,
+    /// The reports are being made.
+    Reports,
+}
+
 /// Makes the outputs of a design without errors.
 pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
+    outputs_watched(analysis, selection, &mut |_| ())
+}
+
+/// The same, telling how far it is: before each stage, and before each board of the programs.
+pub fn outputs_watched(analysis: &Analysis, selection: &Selection, watch: &mut dyn FnMut(Making)) -> Outputs {
     let mut files = Vec::new();
     if analysis.plan.as_ref().is_none_or(|lowered| lowered.plan.figures().is_empty()) {
         let message = "there is nothing to build: the design has no figures";
@@ -122,31 +147,32 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
         let content = Content::Model(Box::new(OwnedModel::of(analysis)));
         files.push(Output::of_design("model.glb", "model", content));
     }
-    if [Format::Nc, Format::Dxf, Format::Btlx].iter().any(|format| selection.makes(*format)) {
-        let diagnostics = board_files(analysis, selection, &mut files);
-        if !diagnostics.is_empty() {
-            return Outputs::failed(diagnostics);
-        }
-    }
+    watch(Making::Nests);
     let nests = match nests::nests(analysis) {
         Ok(nests) => nests,
         Err(diagnostics) => return Outputs::failed(diagnostics),
     };
+    if [Format::Nc, Format::Dxf, Format::Btlx].iter().any(|format| selection.makes(*format)) {
+        let diagnostics = cut_files(analysis, selection, &nests, &mut files, watch);
+        if !diagnostics.is_empty() {
+            return Outputs::failed(diagnostics);
+        }
+    }
+    watch(Making::Lists);
     let mut parts = parts::parts(analysis, &files);
     sheets::mark(&nests, &mut parts);
     if selection.makes(Format::Csv) && !analysis.fabrications.is_empty() {
         lists(analysis, selection, &nests, &parts, &mut files);
     }
-    let mut sheet_files = Vec::new();
     if selection.makes(Format::Svg) {
-        sheet_files.push("svg");
         let pictures = sheets::pictures(&nests).into_iter();
         files.extend(pictures.map(|(path, text)| Output::new(&path, "drawing", text)));
         let labels = labels::sheets(analysis, selection).into_iter();
         files.extend(labels.map(|(name, sheet)| Output::of_design(&name, "labels", Content::Labels(sheet))));
     }
     if selection.makes(Format::Html) || selection.makes(Format::Json) {
-        let report = report::report(analysis, parts, &nests, &sheet_files);
+        watch(Making::Reports);
+        let report = report::report(analysis, parts, &nests, &sheets::files_of(&files));
         if selection.makes(Format::Html) {
             files.push(Output::new("report.html", "report", html::html(analysis, &report, &nests)));
         }
@@ -161,16 +187,28 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
     Outputs { files, nests, diagnostics: Vec::new() }
 }
 
-/// Programs and drawings of boards, or what speaks against them.
-fn board_files(analysis: &Analysis, selection: &Selection, files: &mut Vec<Output>) -> Vec<Diagnostic> {
+/// Programs and drawings of boards and sheets, or what speaks against them.
+fn cut_files(
+    analysis: &Analysis,
+    selection: &Selection,
+    nests: &Nests,
+    files: &mut Vec<Output>,
+    watch: &mut dyn FnMut(Making),
+) -> Vec<Diagnostic> {
     let (blocks, mut diagnostics) = programs::blocks(analysis, selection);
+    if !diagnostics.is_empty() {
+        return diagnostics;
+    }
     if selection.makes(Format::Nc) {
-        let (programs, found) = programs::programs(&blocks);
-        files.extend(programs);
+        let (programs, found) = programs::programs(&blocks, nests, watch);
         diagnostics.extend(found);
+        let (of_sheets, found) = sheet_programs::programs(&blocks, nests, programs.len());
+        diagnostics.extend(found);
+        files.extend(programs.into_iter().chain(of_sheets));
     }
     if selection.makes(Format::Dxf) {
         files.extend(drawings::drawings(&blocks));
+        files.extend(sheet_drawings::drawings(&blocks, nests));
     }
     if selection.makes(Format::Btlx) && !blocks.is_empty() {
         let content = Content::Timber(timber::project(analysis, &blocks));
@@ -222,7 +260,7 @@ pub fn board_names(analysis: &Analysis) -> Vec<(&str, &str)> {
 }
 
 /// What a build is made of, as 16 hexadecimal digits: the design's text, those of the files it uses and the meshes it
-/// imports with their paths in the project, and its parameters. Two builds with the same one by the same version of the program are the same.
+/// imports with their paths in the project, its parameters, and the machine that is named from outside. Two builds with the same one by the same version of the program are the same.
 pub fn design_hash(analysis: &Analysis) -> String {
     let mut hasher = Sha256::new();
     let mut sources = project_sources(analysis);
@@ -242,6 +280,10 @@ pub fn design_hash(analysis: &Analysis) -> String {
         hasher.update([0]);
         hasher.update(value.as_bytes());
     }
+    if let Some(machine) = machine_text(analysis) {
+        hasher.update([2]);
+        hasher.update(machine.as_bytes());
+    }
     names::hex(&hasher.finalize())[..16].to_owned()
 }
 
@@ -259,6 +301,12 @@ pub fn project_sources(analysis: &Analysis) -> Vec<(String, &[u8])> {
         })
         .chain(meshes)
         .collect()
+}
+
+/// The machine that is named from outside, as it can be named again: `machines.ifs:router`, the path from the root of
+/// the project.
+pub fn machine_text(analysis: &Analysis) -> Option<String> {
+    analysis.machine.as_ref().map(|machine| format!("{}:{}", machine.file, machine.name))
 }
 
 /// The parameters as the language writes them, in the order of the design.

@@ -1,7 +1,7 @@
 //! The nests of a design: the boards of blocks that share material, raw boards and machine are nested together, planks
 //! that share section and bars too. What comes out is checked before anything is made of it.
 
-use crate::analysis::{Analysis, Elements, Fabrication, Nest, nested_panel, nested_plank};
+use crate::analysis::{Analysis, Elements, Fabrication, Nest, Programs, nested_panel, nested_plank};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::panel::Panel;
 use crate::fabricate::plank::Plank;
@@ -52,7 +52,9 @@ pub struct SheetNest {
     pub least: usize,
     /// The names of the sheets: their numbers among all sheets of the design.
     pub names: Vec<String>,
-    span: Span,
+    /// What of them gets a program.
+    pub programs: Programs,
+    pub(super) span: Span,
 }
 
 impl SheetNest {
@@ -110,6 +112,7 @@ struct Key<'a> {
     /// The thickness of a board, or the width of a plank.
     thickness: f64,
     machine: Option<&'a Value>,
+    fixing: Option<&'a Value>,
 }
 
 /// Nests everything that is to be nested; what the check finds wrong is an error.
@@ -127,7 +130,7 @@ pub(super) fn nests(analysis: &Analysis) -> Result<Nests, Vec<Diagnostic>> {
         let blocks: Vec<(usize, &Fabrication)> =
             places.iter().map(|&place| (place, &analysis.fabrications[place])).collect();
         match key.nest {
-            Nest::Sheets(sheet) => nests.sheets.push(sheet_nest(key, sheet, &blocks)),
+            Nest::Sheets(sheet, programs) => nests.sheets.push(sheet_nest(key, (sheet, programs), &blocks)),
             Nest::Bars(stock) => nests.bars.push(bar_nest(key, stock, &blocks)),
         }
     }
@@ -138,12 +141,14 @@ pub(super) fn nests(analysis: &Analysis) -> Result<Nests, Vec<Diagnostic>> {
 }
 
 fn key(made: &Fabrication) -> Option<Key<'_>> {
-    let machine = made.settings.iter().find(|(name, _, _)| *name == "machine").map(|(_, value, _)| value);
+    let setting =
+        |wanted: &str| made.settings.iter().find(|(name, _, _)| *name == wanted).map(|(_, value, _)| value);
+    let (machine, fixing) = (setting("machine"), setting("fixing"));
     let (material, thickness) = match &made.elements {
         Elements::Panels(panels) => (&panels.settings.material, panels.settings.material.thickness?),
         Elements::Planks(planks) => (&planks.settings.material, planks.settings.width),
     };
-    Some(Key { nest: made.nest?, material: &material.name, thickness, machine })
+    Some(Key { nest: made.nest?, material: &material.name, thickness, machine, fixing })
 }
 
 /// The elements of some blocks by their addresses, so that the order of blocks makes no difference.
@@ -167,7 +172,11 @@ fn span_of(blocks: &[(usize, &Fabrication)]) -> Span {
     settings.filter(|(name, _, _)| *name == "nest").map(|(_, _, span)| *span).next().unwrap_or_default()
 }
 
-fn sheet_nest(key: &Key<'_>, sheet: Sheet, blocks: &[(usize, &Fabrication)]) -> SheetNest {
+fn sheet_nest(
+    key: &Key<'_>,
+    (sheet, programs): (Sheet, Programs),
+    blocks: &[(usize, &Fabrication)],
+) -> SheetNest {
     let all = by_address(blocks, |made| {
         let Elements::Panels(panels) = &made.elements else { return Vec::new() };
         let part = |panel: &Panel| nested_panel(panel, panels.settings.grain);
@@ -186,6 +195,7 @@ fn sheet_nest(key: &Key<'_>, sheet: Sheet, blocks: &[(usize, &Fabrication)]) -> 
         nested,
         least,
         names: Vec::new(),
+        programs,
         span: span_of(blocks),
     }
 }

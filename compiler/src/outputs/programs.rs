@@ -2,8 +2,9 @@
 
 use super::machines::machines;
 use super::names::safe_file_name;
-use super::{Output, Selection, design_hash};
-use crate::analysis::{Analysis, Elements, Fabrication, number};
+use super::nests::Nests;
+use super::{Making, Output, Selection, design_hash};
+use crate::analysis::{Analysis, Elements, Fabrication, Programs, number};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::export::nc::{self, NcFile};
 use crate::export::number::fixed;
@@ -11,11 +12,12 @@ use crate::fabricate::cut_job::{CutJob, Engraving, Sheet};
 use crate::fabricate::machine::Machine;
 use crate::fabricate::panel::{Edges, Panel};
 use crate::fabricate::plank::Plank;
-use crate::fabricate::toolpath::{Refusal, sheet};
+use crate::fabricate::toolpath::{Program, Refusal, sheet};
 use crate::hir::tree::Hir;
 use crate::readback::{Expected, NcText, read_back_set};
 use crate::source::Span;
 use glam::DVec3;
+use std::collections::BTreeSet;
 
 /// Room between the deepest bevel and the engraving, mm.
 const CLEAR_OF_BEVELS: f64 = 1.0;
@@ -31,8 +33,27 @@ pub(super) struct Block<'a> {
     pub(super) machine: Option<(Machine, Span)>,
     /// The same machine with each of its spare cutters.
     pub(super) spares: Vec<Machine>,
-    /// The boards that are wanted, in order.
-    pub(super) jobs: Vec<CutJob>,
+    /// All its boards, in order.
+    all: Vec<CutJob>,
+    /// Whether each of them is wanted.
+    wanted: Vec<bool>,
+}
+
+impl Block<'_> {
+    /// The boards that are wanted, each with its place among those of the block, in order.
+    pub(super) fn jobs(&self) -> impl Iterator<Item = (usize, &CutJob)> {
+        self.all.iter().enumerate().filter(|(place, _)| self.wanted[*place])
+    }
+
+    /// A board by its place among those of the block.
+    pub(super) fn job(&self, place: usize) -> Option<&CutJob> {
+        self.all.get(place)
+    }
+
+    /// The machine with its own cutter, then with each of the spare ones.
+    pub(super) fn machines(&self) -> Vec<&Machine> {
+        self.machine.iter().map(|(machine, _)| machine).chain(&self.spares).collect()
+    }
 }
 
 /// The blocks of a design with the boards that are wanted, or what speaks against their machines.
@@ -47,14 +68,14 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
             let machines = machines(&analysis.hir, value, span, setting("fixing"))?;
             Ok((machines, span))
         });
-        let mut jobs = jobs(analysis, made, &hash);
-        jobs.retain(|job| selection.takes(&job.address, &job.alias));
+        let all = jobs(analysis, made, &hash);
+        let wanted = all.iter().map(|job| selection.takes(&job.address, &job.alias)).collect();
         match machines.transpose() {
             Ok(machines) => {
                 let (mut machines, span) = machines.unwrap_or_default();
                 let spares = machines.split_off(machines.len().min(1));
                 let machine = machines.pop().map(|machine| (machine, span));
-                blocks.push(Block { made, machine, spares, jobs });
+                blocks.push(Block { made, machine, spares, all, wanted });
             }
             Err(diagnostic) => diagnostics.push(diagnostic),
         }
@@ -62,16 +83,28 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
     (blocks, diagnostics)
 }
 
-/// The programs of every block with a machine, or what speaks against them.
-pub(super) fn programs(blocks: &[Block<'_>]) -> (Vec<Output>, Vec<Diagnostic>) {
+/// The programs of the boards of every block with a machine, or what speaks against them.
+pub(super) fn programs(
+    blocks: &[Block<'_>],
+    nests: &Nests,
+    watch: &mut dyn FnMut(Making),
+) -> (Vec<Output>, Vec<Diagnostic>) {
     let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
-    for block in blocks {
-        if let Some((machine, span)) = &block.machine {
-            let machines: Vec<&Machine> = [machine].into_iter().chain(&block.spares).collect();
-            block_programs(&block.jobs, &machines, *span, &mut outputs, &mut diagnostics);
+    let in_sheets = cut_in_sheets(nests);
+    for (place, block) in blocks.iter().enumerate() {
+        if let Some((_, span)) = &block.machine {
+            let alone = block.jobs().filter(|(board, _)| !in_sheets.contains(&(place, *board)));
+            let jobs: Vec<&CutJob> = alone.map(|(_, job)| job).collect();
+            block_programs(&jobs, &block.machines(), *span, (&mut outputs, &mut diagnostics), watch);
         }
     }
     (outputs, diagnostics)
+}
+
+/// The boards, by block and place in it, that are cut by the programs of their sheets alone.
+fn cut_in_sheets(nests: &Nests) -> BTreeSet<(usize, usize)> {
+    let nests = nests.sheets.iter().filter(|nest| nest.programs == Programs::Sheets);
+    nests.flat_map(|nest| nest.nested.placements.iter().map(|placed| nest.named[placed.part].place)).collect()
 }
 
 /// A board that gets no program, and why.
@@ -84,19 +117,19 @@ struct Failure {
 }
 
 fn block_programs(
-    jobs: &[CutJob],
+    jobs: &[&CutJob],
     machines: &[&Machine],
     span: Span,
-    outputs: &mut Vec<Output>,
-    diagnostics: &mut Vec<Diagnostic>,
+    (outputs, diagnostics): (&mut Vec<Output>, &mut Vec<Diagnostic>),
+    watch: &mut dyn FnMut(Making),
 ) {
     let mut failures: Vec<Failure> = Vec::new();
-    for job in jobs {
+    for (done, job) in jobs.iter().enumerate() {
+        watch(Making::Programs { done, of: jobs.len() });
         let number = u32::try_from(outputs.len()).map_or(u32::MAX, |before| before.saturating_add(1));
         match one(job, machines, number) {
             Ok(files) => outputs.extend(files.into_iter().map(|file| {
-                let extension = file.tool.map_or_else(|| "nc".to_owned(), |tool| format!("t{tool}.nc"));
-                let path = format!("boards/{}", safe_file_name(&job.address, &extension));
+                let path = format!("boards/{}", safe_file_name(&job.address, &extension(&file)));
                 Output::of_board(&path, "program", &job.address, file.text.into_bytes())
             })),
             Err(NoProgram { code, why, remedy }) => {
@@ -148,20 +181,31 @@ fn one(job: &CutJob, machines: &[&Machine], number: u32) -> Result<Vec<NcFile>, 
                 continue;
             }
         };
-        let files = nc::write(&program, machine);
-        let texts: Vec<NcText> =
-            files.iter().map(|file| NcText { tool: file.tool, text: &file.text }).collect();
         let expected = Expected { number, ..Expected::new(job, machine) };
-        return match read_back_set(&texts, &expected) {
-            Ok(_) => Ok(files),
-            Err(faults) => {
-                let why = faults.first().map_or_else(String::new, ToString::to_string);
-                Err(NoProgram { code: Code::E0902, why, remedy: None })
-            }
-        };
+        let refused = |why| NoProgram { code: Code::E0902, why, remedy: None };
+        return written(&program, machine, &expected).map_err(refused);
     }
     let why = refused.as_ref().map_or_else(|| "there is no machine".to_owned(), ToString::to_string);
     Err(NoProgram { code: Code::E0901, why, remedy: refused.and_then(|refusal| refusal.remedy()) })
+}
+
+/// The files of a program, or the first fault that reading them back finds.
+pub(super) fn written(
+    program: &Program,
+    machine: &Machine,
+    expected: &Expected,
+) -> Result<Vec<NcFile>, String> {
+    let files = nc::write(program, machine);
+    let texts: Vec<NcText> = files.iter().map(|file| NcText { tool: file.tool, text: &file.text }).collect();
+    match read_back_set(&texts, expected) {
+        Ok(_) => Ok(files),
+        Err(faults) => Err(faults.first().map_or_else(String::new, ToString::to_string)),
+    }
+}
+
+/// What comes after the name in the names of a program's files: `nc`, or `t1.nc` where there is one for each tool.
+pub(super) fn extension(file: &NcFile) -> String {
+    file.tool.map_or_else(|| "nc".to_owned(), |tool| format!("t{tool}.nc"))
 }
 
 fn jobs(analysis: &Analysis, made: &Fabrication, hash: &str) -> Vec<CutJob> {

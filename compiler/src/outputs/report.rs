@@ -2,7 +2,7 @@
 
 use super::nests::Nests;
 use super::sheets::{bars_report, sheets_report};
-use super::{design_hash, names, parameter_texts, project_sources};
+use super::{design_hash, machine_text, names, parameter_texts, project_sources};
 use crate::analysis::{Analysis, Elements, Fabrication, LimitValue, PanelsMade, RequirementResult};
 use crate::export::number::Fixed;
 use crate::export::part::Part;
@@ -19,13 +19,14 @@ use crate::plan::extent::Extent;
 use crate::plan::{Depth, Each, Shape};
 use crate::planarize::{Method, Outcome, Pin, StopReason};
 use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 
-/// The report with the parts of each block; `sheet_files` are the extensions of the files made for a sheet.
+/// The report with the parts of each block; `sheet_files` are the files made for each sheet.
 pub(super) fn report(
     analysis: &Analysis,
     parts: Vec<Vec<Part>>,
     nests: &Nests,
-    sheet_files: &[&str],
+    sheet_files: &BTreeMap<String, Vec<String>>,
 ) -> Report {
     let mut out = Report::new(&analysis.design_name());
     let docs = analysis.files.first().map_or(&[][..], |file| &file.parse.ast.docs);
@@ -39,6 +40,7 @@ pub(super) fn report(
         .into_iter()
         .map(|(name, value)| Parameter { set: analysis.set_parameters.contains(&name), name, value })
         .collect();
+    out.machine = machine_text(analysis);
     if let Some(lowered) = &analysis.plan {
         let counted = lowered.plan.figures().iter().zip(&lowered.counts).zip(&lowered.extents);
         out.figures = counted

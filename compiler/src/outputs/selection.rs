@@ -8,9 +8,9 @@ use crate::fabricate::label::Label;
 pub enum Format {
     /// `model.glb`
     Glb,
-    /// `boards/*.nc`
+    /// `boards/*.nc`, `sheets/*.nc`
     Nc,
-    /// `boards/*.dxf`
+    /// `boards/*.dxf`, `sheets/*.dxf`
     Dxf,
     /// `model.btlx`
     Btlx,

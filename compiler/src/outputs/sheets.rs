@@ -1,5 +1,6 @@
 //! Nests as lists, pictures and figures of the report.
 
+use super::Output;
 use super::nests::{BarNest, Named, Nests, SheetNest};
 use crate::export::html::SheetShape;
 use crate::export::nest_csv::{Row, nest_csv};
@@ -10,6 +11,7 @@ use crate::export::sheet_svg::{SheetPicture, sheet_svg};
 use crate::export::stock_csv::{Bars, stock_csv};
 use crate::nest::sheets::Placement;
 use glam::DVec2;
+use std::collections::BTreeMap;
 
 /// `nest.csv`; none without nested boards.
 pub(super) fn nest_list(nests: &Nests) -> Option<String> {
@@ -54,6 +56,18 @@ fn texts(named: &Named) -> [&str; 3] {
 /// Where a file of a sheet lies in the output folder.
 pub(super) fn sheet_path(name: &str, extension: &str) -> String {
     format!("sheets/{name}.{extension}")
+}
+
+/// The files of sheets among the outputs, by the names of the sheets.
+pub(super) fn files_of(outputs: &[Output]) -> BTreeMap<String, Vec<String>> {
+    let mut files: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for path in outputs.iter().map(|output| &output.path) {
+        let name = path.strip_prefix("sheets/").and_then(|file| file.split('.').next());
+        if let Some(name) = name {
+            files.entry(name.to_owned()).or_default().push(path.clone());
+        }
+    }
+    files
 }
 
 /// The pictures of all sheets, with the paths they have in the output folder.
@@ -126,13 +140,13 @@ pub(super) fn mark(nests: &Nests, parts: &mut [Vec<Part>]) {
     }
 }
 
-/// The sheets of the report; `extensions` are those of the files that are made for them.
-pub(super) fn sheets_report(nest: &SheetNest, extensions: &[&str]) -> SheetsReport {
+/// The sheets of the report, and the files that are made for them by name.
+pub(super) fn sheets_report(nest: &SheetNest, files: &BTreeMap<String, Vec<String>>) -> SheetsReport {
     let sheets = nest.names.iter().enumerate().map(|(sheet, name)| SheetReport {
         name: name.clone(),
         boards: nest.nested.placements.iter().filter(|placement| placement.sheet == sheet).count(),
         part_of_area: Fixed::ratio(nest.sheet_yield(sheet)),
-        files: extensions.iter().map(|extension| sheet_path(name, extension)).collect(),
+        files: files.get(name).cloned().unwrap_or_default(),
     });
     let unplaced = nest.nested.unplaced.iter().map(|part| UnplacedReport {
         address: nest.named[part.part].address.clone(),

@@ -19,7 +19,7 @@ pub(super) fn project(analysis: &Analysis, blocks: &[Block<'_>]) -> Project {
     let mut parts = Vec::new();
     for block in blocks {
         let figure = block.made.figure.as_str();
-        let mut jobs = block.jobs.iter().peekable();
+        let mut jobs = block.jobs().map(|(_, job)| job).peekable();
         // Jobs are in the order of the elements, which may be more.
         let mut job_of = |address: &str| jobs.next_if(|job| job.address == address);
         match &block.made.elements {

@@ -9,7 +9,8 @@ pub struct LineColumn {
     pub column: u32,
 }
 
-/// Where the lines of a text start. Lines end with LF; a CR before it belongs to the line.
+/// Where the lines of a text start. Lines end with LF, with CR and LF, or with a CR alone, as editors and their protocol
+/// have it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LineIndex {
     starts: Vec<u32>,
@@ -20,7 +21,12 @@ impl LineIndex {
     /// The index of `text`.
     pub fn new(text: &str) -> Self {
         let mut starts = vec![0];
-        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        let bytes = text.as_bytes();
+        let ends = bytes.iter().enumerate().filter(|(at, byte)| match byte {
+            b'\n' => true,
+            b'\r' => bytes.get(at + 1) != Some(&b'\n'),
+            _ => false,
+        });
         starts.extend(ends.map(|(at, _)| at as u32 + 1));
         LineIndex { starts, length: text.len() as u32 }
     }
@@ -75,5 +81,12 @@ mod tests {
         assert_eq!(index.utf16(text, at), LineColumn { line: 1, column: 3 });
         assert_eq!(index.bytes(999), LineColumn { line: 2, column: 0 });
         assert_eq!(index.lines(), 3);
+    }
+
+    #[test]
+    fn lines_end_in_three_ways() {
+        let starts = |text: &str| LineIndex::new(text).starts;
+        assert_eq!(starts("a\rb\r\nc\nd"), [0, 2, 5, 7]);
+        assert_eq!(starts("\r\r\n\r"), [0, 1, 3, 4]);
     }
 }

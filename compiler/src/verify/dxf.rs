@@ -8,6 +8,7 @@ use glam::DVec2;
 use super::Listed;
 use super::finding::Findings;
 use super::report::{LAST_DECIMAL, Report};
+use super::sheets::Shown;
 use super::vote::most;
 
 /// A group code and its value.
@@ -111,6 +112,33 @@ pub(super) fn read(
         notes: lines.iter().skip(2).map(|line| (*line).to_owned()).collect(),
         face_up: lines.get(1).and_then(|line| Some(line.split_once("face up: ")?.1.to_owned())),
     })
+}
+
+/// Reads the drawing of a sheet: the raw board, the cut outlines and the names on them.
+pub(super) fn read_sheet(path: &str, text: &str, findings: &mut Findings) -> Option<Shown> {
+    let tags = tags(path, text, findings)?;
+    let (_, entities) = parted(&tags);
+    if tags.last() != Some(&(0, "EOF")) {
+        findings.add(path, "the last tag", "0 EOF", "another");
+    }
+    handles(path, &entities, &tags, findings);
+    entities.iter().for_each(|entity| shape(path, entity, &tags, findings));
+    extents(path, &tags, &entities, findings);
+    let on = |start: &'static str| {
+        entities.iter().filter(move |e| e.kind == "LWPOLYLINE" && e.text(8).starts_with(start))
+    };
+    let board: Vec<DVec2> = on("SHEET").flat_map(Entity::points).collect();
+    if board.len() != 4 || board[0] != DVec2::ZERO {
+        findings.add(path, "corners of the raw board", "four from the origin", board.len());
+    }
+    let size = board.get(2).copied().unwrap_or(DVec2::NAN);
+    let outlines: Vec<Vec<DVec2>> = on("CUT").map(Entity::points).collect();
+    if on("DESIGN").count() != outlines.len() {
+        findings.add(path, "designed outlines", outlines.len(), on("DESIGN").count());
+    }
+    let texts = entities.iter().filter(|e| e.kind == "TEXT").map(|e| e.text(1).to_owned());
+    let names = texts.take(outlines.len()).collect();
+    Some(Shown { path: path.to_owned(), size, outlines, names })
 }
 
 /// The tags of a file, each on two lines: its code, right-aligned, and its value, of the type that the code is for.

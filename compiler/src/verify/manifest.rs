@@ -74,6 +74,12 @@ pub struct Manifest {
     pub sources: Vec<Source>,
     /// The values of its parameters.
     pub parameters: BTreeMap<String, String>,
+    /// The names of those that were set from outside.
+    #[serde(default)]
+    pub set: BTreeSet<String>,
+    /// The machine that was named from outside.
+    #[serde(default)]
+    pub machine: Option<String>,
     /// What was asked to be left out.
     #[serde(default)]
     pub left_out: Option<serde_json::Value>,
@@ -85,7 +91,11 @@ pub struct Manifest {
 }
 
 impl Manifest {
-    pub(super) fn read(folder: &dyn Folder) -> Result<Manifest, NotAManifest> {
+    /// Reads the list of a folder.
+    ///
+    /// # Errors
+    /// It is missing, is none of ours, or leads out of the folder.
+    pub fn read(folder: &dyn Folder) -> Result<Manifest, NotAManifest> {
         let refuse = |reason: String| NotAManifest { reason, unreadable: false };
         let bytes = folder
             .bytes(MANIFEST, MOST_BYTES)

@@ -15,6 +15,8 @@ mod lists;
 mod manifest;
 mod nc;
 mod report;
+mod sheet_nc;
+mod sheets;
 mod vote;
 mod xml;
 
@@ -23,6 +25,7 @@ pub use manifest::{KINDS, Listed, Manifest, NotAManifest};
 
 use finding::Findings;
 use report::Report;
+use std::collections::BTreeMap;
 
 /// What is to be verified: names relative to the folder, with `/`, and their bytes.
 pub trait Folder {
@@ -67,7 +70,8 @@ pub fn verify(folder: &dyn Folder) -> Result<Verdict, NotAManifest> {
         read += 1;
         report::read(&bytes, &manifest, &mut findings)
     });
-    let mut boards = Boards { report: report.as_ref(), dxf: Vec::new(), nc: Vec::new() };
+    let whole = !manifest.is_partial();
+    let mut boards = Boards { report: report.as_ref(), whole, ..Boards::default() };
     for file in manifest.files.iter().filter(|file| sound.contains(&file.path) && file.path != "report.json")
     {
         let Some(bytes) = set.bytes(&file.path) else { continue };
@@ -103,17 +107,46 @@ impl Set<'_> {
 }
 
 /// What of single boards is compared with each other once all are read.
+#[derive(Default)]
 struct Boards<'a> {
     report: Option<&'a Report>,
+    /// Whether nothing was left out.
+    whole: bool,
     dxf: Vec<dxf::Drawing>,
     nc: Vec<nc::Program>,
+    sheet_nc: Vec<nc::Program>,
+    /// Pictures and drawings of sheets.
+    shown: Vec<sheets::Shown>,
+    /// Where boards lie; none without a list that could be read.
+    lying: Option<Vec<sheets::Lying>>,
 }
 
 impl Boards<'_> {
     /// The files that could not be read after all.
     fn together(&self, findings: &mut Findings) -> Vec<String> {
         dxf::check_together(&self.dxf, findings);
-        nc::check_together(&self.nc, &self.dxf, self.report, findings)
+        let mut machines = BTreeMap::new();
+        let mut unread = nc::check_together(&self.nc, &self.dxf, self.report, &mut machines, findings);
+        let (Some(report), Some(lying)) = (self.report, &self.lying) else {
+            unread.extend(self.shown.iter().map(|shown| shown.path.clone()));
+            unread.extend(self.sheet_nc.iter().map(|program| program.path.clone()));
+            return unread;
+        };
+        let raws = sheets::raws(report);
+        for shown in &self.shown {
+            let name = sheets::name_of(&shown.path);
+            match raws.get(name) {
+                Some((raw, _)) => sheets::compare(shown, name, *raw, lying, findings),
+                None => findings.add(&shown.path, "the sheet", "one of report.json", name),
+            }
+        }
+        for program in &self.sheet_nc {
+            let set = sheet_nc::Set { drawings: &self.dxf, report, machines: &machines, raws: &raws, lying };
+            if !set.check(program, findings) {
+                unread.push(program.path.clone());
+            }
+        }
+        unread
     }
 }
 
@@ -148,6 +181,27 @@ fn judge(
         (_, "svg") if path.starts_with("labels") => {
             if let Some(text) = known(findings) {
                 labels::form(path, text, findings);
+            }
+        }
+        ("nest.csv", _) => {
+            let Some(report) = boards.report else { return false };
+            if let Some(text) = known(findings) {
+                boards.lying = Some(sheets::read(text, report, boards.whole, findings));
+            }
+        }
+        (_, "svg") if path.starts_with("sheets/") => {
+            if let Some(text) = known(findings) {
+                boards.shown.push(sheets::picture(path, text, findings));
+            }
+        }
+        (_, "dxf") if path.starts_with("sheets/") => {
+            if let Some(text) = known(findings) {
+                boards.shown.extend(dxf::read_sheet(path, text, findings));
+            }
+        }
+        (_, "nc") if path.starts_with("sheets/") => {
+            if let Some(text) = known(findings) {
+                boards.sheet_nc.extend(nc::read(file, text, findings));
             }
         }
         (_, "dxf") if path.starts_with("boards/") => {

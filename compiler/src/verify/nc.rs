@@ -10,11 +10,11 @@ use super::dxf::Drawing;
 use super::finding::Findings;
 use super::report::{Part, Report};
 use super::vote::{most, most_number};
-use crate::fabricate::cut_job::{CutJob, Engraving};
+use crate::fabricate::cut_job::{CutJob, Engraving, MAX_CORNERS};
 use crate::fabricate::machine::{
     CutDirection, Dialect, Fixing, Machine, MachineSpec, Tool, WorkOffset, ZZero,
 };
-use crate::readback::{Expected, Motion, Readback, read_back};
+use crate::readback::{Expected, Fault, Motion, Readback, read_back};
 
 /// How far places in a program may be from those in a drawing, mm.
 const NEAR: f64 = 0.0016;
@@ -24,10 +24,10 @@ const CLEAR_OF_BEVELS: f64 = 1.0;
 
 /// A program, and what of it tells of its machine.
 pub(super) struct Program {
-    path: String,
+    pub(super) path: String,
     address: String,
-    text: String,
-    header: BTreeMap<String, Vec<String>>,
+    pub(super) text: String,
+    pub(super) header: BTreeMap<String, Vec<String>>,
     /// Figures by their letter and the tool that was loaded, in thousandths.
     words: BTreeMap<(u8, u32), BTreeSet<i64>>,
     tools: Vec<u32>,
@@ -101,10 +101,15 @@ fn header(text: &str) -> BTreeMap<String, Vec<String>> {
 
 impl Program {
     /// Whether it is of the base dialect, for a part that is held by the table: others are known by their hash alone.
-    fn is_read(&self) -> bool {
-        self.text.starts_with("(design: ")
+    pub(super) fn is_read(&self) -> bool {
+        (self.text.starts_with("(design: ") || self.text.starts_with("(sheet: "))
             && self.said("fixing") == "held by the table"
             && !self.tools.is_empty()
+    }
+
+    /// The tool that is loaded last.
+    pub(super) fn cutter(&self) -> Option<u32> {
+        self.tools.last().copied()
     }
 
     fn said(&self, key: &str) -> &str {
@@ -122,11 +127,12 @@ impl Program {
     }
 }
 
-/// Reads every program back, and compares it with its drawing.
+/// Reads every program back, and compares it with its drawing; the machines of the fabrications go to `machines`.
 pub(super) fn check_together(
     programs: &[Program],
     drawings: &[Drawing],
     report: Option<&Report>,
+    machines: &mut BTreeMap<usize, Machine>,
     findings: &mut Findings,
 ) -> Vec<String> {
     let Some(report) = report else { return by_hash(programs) };
@@ -159,6 +165,7 @@ pub(super) fn check_together(
             continue;
         };
         steady(&all, findings);
+        machines.extend(group.first().map(|(_, part)| (part.block, machine.clone())));
         for (program, part) in group {
             one(program, part, drawings.get(part.address.as_str()).copied(), &machine, report, findings);
         }
@@ -296,12 +303,44 @@ fn one(
     findings: &mut Findings,
 ) {
     let path = program.path.as_str();
+    let job = job(part, drawing, program, report);
+    if !can_be_cut(&job) || (program.thickness() - job.thickness).abs() > 0.001 {
+        findings.add(path, "the stock", "that of a board of report.json", program.said("stock"));
+        return;
+    }
+    let expected = Expected::new(&job, machine);
+    match read_back(&program.text, &expected) {
+        Err(faults) => tell(path, &faults, findings),
+        Ok(readback) => {
+            if let Some(drawing) = drawing {
+                same_strokes(path, drawing, &readback, &expected, findings);
+            }
+            passes(path, &readback, &expected, findings);
+        }
+    }
+}
+
+/// The first faults of a program.
+pub(super) fn tell(path: &str, faults: &[Fault], findings: &mut Findings) {
+    for fault in faults.iter().take(3) {
+        findings.add(path, format!("line {}", fault.line), fault.kind.property(), &fault.message);
+    }
+}
+
+/// Whether the figures of a job are such that a program can be held against it.
+pub(super) fn can_be_cut(job: &CutJob) -> bool {
+    let bounded = |at: &DVec2| at.is_finite() && at.abs().max_element() < 1e6;
+    (3..=MAX_CORNERS).contains(&job.outline.len()) && job.outline.iter().all(bounded)
+}
+
+/// What is to be cut of a part: its drawing has more decimals than the report, and the words of the header.
+pub(super) fn job(part: &Part, drawing: Option<&Drawing>, program: &Program, report: &Report) -> CutJob {
     let bevels = (0..4).filter_map(|edge| part.item("bevels_deg", edge));
     let thickness = thickness_of(part);
     let widest = bevels.map(|bevel| thickness * libm::tan(bevel.abs().to_radians())).fold(0.0, f64::max);
     let exact =
         drawing.map(|drawing| drawing.outline.clone()).filter(|outline| outline.len() == part.outline.len());
-    let job = CutJob {
+    CutJob {
         address: part.address.clone(),
         alias: part.alias.clone(),
         design: report.design.clone(),
@@ -323,29 +362,6 @@ fn one(
             Some(drawing) => drawing.notes.clone(),
             None => program.header.get("note").cloned().unwrap_or_default(),
         },
-    };
-    let bounded = |at: &DVec2| at.is_finite() && at.abs().max_element() < 1e6;
-    if job.outline.len() < 3
-        || job.outline.len() > crate::fabricate::cut_job::MAX_CORNERS
-        || !job.outline.iter().all(bounded)
-        || (program.thickness() - thickness).abs() > 0.001
-    {
-        findings.add(path, "the stock", "that of a board of report.json", program.said("stock"));
-        return;
-    }
-    let expected = Expected::new(&job, machine);
-    match read_back(&program.text, &expected) {
-        Err(faults) => {
-            for fault in faults.iter().take(3) {
-                findings.add(path, format!("line {}", fault.line), fault.kind.property(), &fault.message);
-            }
-        }
-        Ok(readback) => {
-            if let Some(drawing) = drawing {
-                same_strokes(path, drawing, &readback, &expected, findings);
-            }
-            passes(path, &readback, &expected, findings);
-        }
     }
 }
 

@@ -1,8 +1,10 @@
 //! Places and ranges of the protocol from bytes, and back.
 
+use std::path::Path;
+
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::source::{LineIndex, Span};
-use tower_lsp::ls_types::{Location, Position, Range, TextEdit};
+use tower_lsp::ls_types::{Location, Position, Range, TextEdit, Uri};
 
 use super::uri::uri_of;
 use crate::world::Snapshot;
@@ -37,8 +39,13 @@ impl Snapshot {
 
     /// Where a span lies, in a file that an editor can open.
     pub(crate) fn location(&self, span: Span) -> Option<Location> {
-        let uri = uri_of(&self.places.path(&self.analysis, span.file)?)?;
+        let uri = self.uri(&self.places.path(&self.analysis, span.file)?)?;
         Some(Location { uri, range: self.range(span) })
+    }
+
+    /// A path as the client calls it.
+    pub(crate) fn uri(&self, path: &Path) -> Option<Uri> {
+        uri_of(&self.places.names, path)
     }
 
     pub(crate) fn edit(&self, span: Span, new_text: impl Into<String>) -> TextEdit {

@@ -32,7 +32,7 @@ pub(crate) fn diagnostic(
     encoding: Encoding,
 ) -> lsp::Diagnostic {
     let related = found.labels.iter().filter_map(|label| {
-        let uri = uri_of(&places.path(analysis, label.span.file)?)?;
+        let uri = uri_of(&places.names, &places.path(analysis, label.span.file)?)?;
         let location = lsp::Location { uri, range: range(analysis, label.span, encoding) };
         Some(lsp::DiagnosticRelatedInformation { location, message: label.text.clone() })
     });

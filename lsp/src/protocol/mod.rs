@@ -3,4 +3,5 @@
 pub(crate) mod capabilities;
 pub(crate) mod convert;
 pub(crate) mod diagnostics;
+pub(crate) mod errors;
 pub(crate) mod uri;

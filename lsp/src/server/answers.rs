@@ -10,24 +10,9 @@ use tower_lsp::ls_types::*;
 
 use crate::features::{definition, format, hover, links, references, rename, symbols};
 use crate::protocol::convert::range;
-use crate::protocol::diagnostics::diagnostic;
-use crate::protocol::uri::uri_of;
 use crate::world::Snapshot;
 use crate::world::overlay::Overlay;
 use crate::world::places::Places;
-
-pub(super) fn pulled(snapshot: &Snapshot) -> DocumentDiagnosticReport {
-    let root = snapshot.analysis.root;
-    let own = snapshot.diagnostics.iter().filter(|found| found.span.file == root);
-    let items = own.map(|found| diagnostic(&snapshot.places, &snapshot.analysis, found, snapshot.encoding));
-    DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
-        related_documents: None,
-        full_document_diagnostic_report: FullDocumentDiagnosticReport {
-            result_id: None,
-            items: items.collect(),
-        },
-    })
-}
 
 pub(super) fn hover(snapshot: &Snapshot, position: Position) -> Option<Hover> {
     let made = snapshot.made.as_ref().map(|made| &*made.analysis);
@@ -54,7 +39,7 @@ pub(super) fn type_definition(snapshot: &Snapshot, position: Position) -> Option
 }
 
 /// The designs of the project that may use what this one declares, read with their indexes: this one first.
-fn project(snapshot: &Snapshot) -> Vec<(Places, Option<Analysis>)> {
+pub(super) fn project(snapshot: &Snapshot) -> Vec<(Places, Option<Analysis>)> {
     let mut all = vec![(snapshot.places.clone(), None)];
     let projects = &snapshot.places.projects;
     let mut paths: BTreeSet<PathBuf> = projects.designs(&snapshot.places.root).into_iter().collect();
@@ -93,8 +78,8 @@ impl Place {
         Range { start: position(self.from), end: position(self.to) }
     }
 
-    fn location(&self) -> Option<Location> {
-        Some(Location { uri: uri_of(&self.path)?, range: self.range() })
+    fn location(&self, snapshot: &Snapshot) -> Option<Location> {
+        Some(Location { uri: snapshot.uri(&self.path)?, range: self.range() })
     }
 }
 
@@ -142,7 +127,7 @@ pub(super) fn references(
         Ok(spans)
     };
     let places = everywhere(snapshot, declared, spans).unwrap_or_default();
-    Some(places.iter().filter_map(Place::location).collect())
+    Some(places.iter().filter_map(|place| place.location(snapshot)).collect())
 }
 
 pub(super) fn highlights(snapshot: &Snapshot, position: Position) -> Vec<DocumentHighlight> {
@@ -174,15 +159,15 @@ pub(super) fn rename(snapshot: &Snapshot, position: Position, new: &str) -> Resu
     // Clients take a map whose order they do not look at.
     let mut changes: HashMap<Uri, Vec<TextEdit>> = HashMap::new();
     for place in places {
-        let Some(uri) = uri_of(&place.path) else { continue };
+        let Some(uri) = snapshot.uri(&place.path) else { continue };
         changes.entry(uri).or_default().push(TextEdit { range: place.range(), new_text: new.to_owned() });
     }
     Ok(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() })
 }
 
-fn symbol(snapshot: &Snapshot, found: symbols::Symbol) -> DocumentSymbol {
+pub(super) fn symbol_kind(kind: symbols::SymbolKind) -> SymbolKind {
     use symbols::SymbolKind as Kind;
-    let kind = match found.kind {
+    match kind {
         Kind::Parameter => SymbolKind::CONSTANT,
         Kind::Value | Kind::Point => SymbolKind::VARIABLE,
         Kind::Function => SymbolKind::FUNCTION,
@@ -196,7 +181,11 @@ fn symbol(snapshot: &Snapshot, found: symbols::Symbol) -> DocumentSymbol {
         Kind::Setting => SymbolKind::PROPERTY,
         Kind::Requirement => SymbolKind::EVENT,
         Kind::Test => SymbolKind::METHOD,
-    };
+    }
+}
+
+fn symbol(snapshot: &Snapshot, found: symbols::Symbol) -> DocumentSymbol {
+    let kind = symbol_kind(found.kind);
     let parts: Vec<DocumentSymbol> = found.parts.into_iter().map(|part| symbol(snapshot, part)).collect();
     #[allow(deprecated, reason = "the field must be given")]
     DocumentSymbol {
@@ -225,7 +214,7 @@ pub(super) fn format(snapshot: &Snapshot) -> Option<Vec<TextEdit>> {
 pub(super) fn links(snapshot: &Snapshot) -> Vec<DocumentLink> {
     let found = links::links(&snapshot.analysis, snapshot.analysis.root);
     let to = found.into_iter().filter_map(|(span, file)| {
-        let target = uri_of(&snapshot.places.path(&snapshot.analysis, file)?)?;
+        let target = snapshot.uri(&snapshot.places.path(&snapshot.analysis, file)?)?;
         Some(DocumentLink { range: snapshot.range(span), target: Some(target), tooltip: None, data: None })
     });
     to.collect()

@@ -1,67 +1,103 @@
-//! What the server says unasked: diagnostics in order, refreshes, and its own end when the client is gone.
+//! What the server says unasked: diagnostics, refreshes, and its own end when the client is gone.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::thread;
 use std::time::Duration;
 
-use tokio::sync::mpsc;
 use tower_lsp::Client;
-use tower_lsp::ls_types::MessageType;
+use tower_lsp::ls_types::{Diagnostic, MessageType};
 
 use crate::protocol::diagnostics::diagnostic;
 use crate::protocol::uri::uri_of;
 use crate::world::Encoding;
-use crate::world::owner::Outgoing;
-use crate::world::places::Places;
-use crate::world::projects::Projects;
+use crate::world::names::Names;
+use crate::world::outbox::{Outbox, Wrong};
 
 /// What the client has told of itself.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Told {
     pub(crate) encoding: Encoding,
-    /// It pulls diagnostics: they are not pushed too.
+    /// It pulls diagnostics, and again when it is asked to: they are not pushed too.
     pub(crate) pulls: bool,
-    /// It can be asked to pull again.
-    pub(crate) refreshes: bool,
+    /// It takes what is wrong in other files with what it pulls of one.
+    pub(crate) takes_related: bool,
     /// It can watch files.
     pub(crate) watches: bool,
+    /// It fills in the places of snippets.
+    pub(crate) snippets: bool,
+    /// What it asks for again when it is told to.
+    pub(crate) refreshed: Refreshed,
 }
 
-/// Tells the client everything in the order it was found.
-pub(crate) async fn publish(
-    client: Client,
-    mut outgoing: mpsc::UnboundedReceiver<Outgoing>,
-    told: Told,
-    projects: Arc<dyn Projects>,
-) {
-    while let Some(next) = outgoing.recv().await {
-        match next {
-            Outgoing::Failed(words) => client.log_message(MessageType::ERROR, words).await,
-            Outgoing::Worked if told.pulls && told.refreshes => {
+/// What a client asks for again when it is told to.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Refreshed {
+    pub(crate) hints: bool,
+    pub(crate) lenses: bool,
+}
+
+/// What stands beside the text was worked out anew. Their answers say nothing, and may take their time.
+fn refresh(client: &Client, refreshed: Refreshed) {
+    let client = client.clone();
+    tokio::spawn(async move {
+        if refreshed.hints {
+            let _ = client.inlay_hint_refresh().await;
+        }
+        if refreshed.lenses {
+            let _ = client.code_lens_refresh().await;
+        }
+    });
+}
+
+/// Tells the client what is new, as fast as it takes it.
+pub(crate) async fn publish(client: Client, outbox: Outbox, told: Told, names: Names) {
+    let mut said: BTreeMap<PathBuf, (Option<i32>, Vec<Diagnostic>)> = BTreeMap::new();
+    let mut waiting: BTreeMap<PathBuf, Wrong> = BTreeMap::new();
+    loop {
+        let news = outbox.take().await;
+        for words in news.failures {
+            client.log_message(MessageType::ERROR, words).await;
+        }
+        if news.pull_again {
+            refresh(&client, told.refreshed);
+        }
+        if told.pulls {
+            if news.pull_again {
                 let client = client.clone();
                 // Its answer says nothing, and it may take its time.
                 tokio::spawn(async move {
                     let _ = client.workspace_diagnostic_refresh().await;
                 });
             }
-            Outgoing::Worked => {}
-            Outgoing::Diagnostics { .. } if told.pulls => {}
-            Outgoing::Diagnostics { path, version, found } => {
-                let Some(uri) = uri_of(&path) else { continue };
-                let mut all = Vec::new();
-                for (root, analysis, diagnostics) in found {
-                    let places = Places { root, projects: Arc::clone(&projects) };
-                    for one in &diagnostics {
-                        let one = diagnostic(&places, &analysis, one, told.encoding);
-                        if !all.contains(&one) {
-                            all.push(one);
-                        }
-                    }
-                }
-                client.publish_diagnostics(uri, all, version).await;
+            continue;
+        }
+        waiting.extend(news.wrong);
+        while let Some((path, wrong)) = waiting.pop_first() {
+            let all = diagnostics(&wrong, told.encoding);
+            let version = wrong.version;
+            if said.get(&path).is_some_and(|(before, list)| *before == version && *list == all) {
+                continue;
+            }
+            let Some(uri) = uri_of(&names, &path) else { continue };
+            client.publish_diagnostics(uri, all.clone(), version).await;
+            said.insert(path, (version, all));
+        }
+    }
+}
+
+/// Everything that is said of a file, once.
+fn diagnostics(wrong: &Wrong, encoding: Encoding) -> Vec<Diagnostic> {
+    let mut all = Vec::new();
+    for found in &wrong.found {
+        for one in &found.diagnostics {
+            let one = diagnostic(&found.places, &found.analysis, one, encoding);
+            if !all.contains(&one) {
+                all.push(one);
             }
         }
     }
+    all
 }
 
 /// Ends this process soon after the one that started it: an editor that died says nothing any more.
@@ -69,7 +105,7 @@ pub(crate) fn end_with(parent: u32) {
     let Some(parent) = i32::try_from(parent).ok().and_then(rustix::process::Pid::from_raw) else { return };
     thread::spawn(move || {
         while rustix::process::test_kill_process(parent) != Err(rustix::io::Errno::SRCH) {
-            thread::sleep(Duration::from_secs(1));
+            thread::sleep(Duration::from_millis(500));
         }
         std::process::exit(1);
     });

@@ -1,20 +1,26 @@
-//! Working designs out beside the typing: one thread, newest text first, a moment after the last edit.
+//! Working designs out beside the typing: one thread, newest text first, a moment after the last edit, and not to its end
+//! where the text changes meanwhile.
 
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use ifs_compiler::analysis::{Analysis, analyse};
+use ifs_compiler::analysis::{Analysis, Watch, analyse_watched};
+use ifs_compiler::planarize::Progress;
 
 use super::overlay::Overlay;
 use super::owner::Message;
 
-/// How long the text must rest before it is worked out.
+/// How long the text must rest before it is worked out, and how much longer for each KiB of it: a long one takes its time
+/// to be read again, which should not be between two keystrokes.
 const REST: Duration = Duration::from_millis(80);
+const REST_PER_KIB: Duration = Duration::from_millis(1);
 
 /// A design to be worked out.
 #[derive(Debug)]
@@ -22,23 +28,66 @@ pub(crate) struct Job {
     pub(crate) overlay: Overlay,
     /// The revision of the world it was taken from.
     pub(crate) revision: u64,
+    /// Bytes of its text.
+    pub(crate) bytes: usize,
 }
 
-/// A design worked out; none where that went wrong.
+impl Job {
+    fn rest(&self) -> Duration {
+        REST + REST_PER_KIB * u32::try_from(self.bytes / 1024).unwrap_or(u32::MAX).min(1000)
+    }
+}
+
+/// A design worked out.
 #[derive(Debug)]
 pub(crate) struct Worked {
-    pub(crate) path: PathBuf,
     pub(crate) revision: u64,
-    pub(crate) analysis: Option<Arc<Analysis>>,
+    pub(crate) analysis: Arc<Analysis>,
 }
 
 #[derive(Default)]
 struct Queue {
     jobs: BTreeMap<PathBuf, Job>,
+    /// What is being worked out, and whether nobody wants it any more.
+    running: Option<(PathBuf, Arc<AtomicBool>)>,
     stopped: bool,
 }
 
-/// The thread's end of the work.
+impl Queue {
+    fn newest(&self) -> Option<(&PathBuf, &Job)> {
+        self.jobs.iter().max_by_key(|(_, job)| job.revision)
+    }
+
+    fn forget(&mut self, path: &Path) {
+        self.jobs.remove(path);
+        if let Some((_, unwanted)) = self.running.as_ref().filter(|(running, _)| running == path) {
+            unwanted.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+/// Ends what nobody wants.
+struct Unwanted(Arc<AtomicBool>);
+
+impl Unwanted {
+    fn is(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+impl Watch for Unwanted {
+    fn planarizing(&mut self, _: &str, _: &Progress) -> ControlFlow<()> {
+        self.step()
+    }
+
+    fn planarized(&mut self, _: &str) {}
+
+    fn step(&mut self) -> ControlFlow<()> {
+        if self.is() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+/// The owner's end of the work.
 #[derive(Clone, Default)]
 pub(crate) struct Background {
     queue: Arc<(Mutex<Queue>, Condvar)>,
@@ -46,26 +95,33 @@ pub(crate) struct Background {
 
 impl Background {
     /// Starts the thread; it tells the owner what it has worked out.
-    pub(crate) fn start(owner: Sender<Message>) -> Background {
+    pub(super) fn start(owner: Sender<Message>, stack: usize) -> std::io::Result<Background> {
         let background = Background::default();
         let worker = background.clone();
-        thread::spawn(move || worker.run(&owner));
-        background
+        thread::Builder::new().stack_size(stack).spawn(move || worker.run(&owner))?;
+        Ok(background)
     }
 
     /// A design to be worked out; an older text of it is forgotten.
     pub(crate) fn ask(&self, path: PathBuf, job: Job) {
-        self.lock().jobs.insert(path, job);
+        let mut queue = self.lock();
+        queue.forget(&path);
+        queue.jobs.insert(path, job);
         self.queue.1.notify_all();
     }
 
-    /// A design that is not wanted any more.
-    pub(crate) fn forget(&self, path: &PathBuf) {
-        self.lock().jobs.remove(path);
+    /// A design that is not wanted any more as it was.
+    pub(crate) fn forget(&self, path: &Path) {
+        self.lock().forget(path);
+        self.queue.1.notify_all();
     }
 
     pub(crate) fn stop(&self) {
-        self.lock().stopped = true;
+        let mut queue = self.lock();
+        queue.stopped = true;
+        if let Some((_, unwanted)) = &queue.running {
+            unwanted.store(true, Ordering::Relaxed);
+        }
         self.queue.1.notify_all();
     }
 
@@ -74,37 +130,46 @@ impl Background {
     }
 
     fn run(&self, owner: &Sender<Message>) {
-        while let Some((path, job)) = self.next() {
-            let overlay = &job.overlay;
-            let work = || analyse(overlay, &overlay.project.design, &overlay.project.overrides);
+        while let Some((path, job, unwanted)) = self.next() {
+            let Job { overlay, revision, .. } = job;
+            let mut watch = Unwanted(Arc::clone(&unwanted));
+            let work = || {
+                let project = &overlay.project;
+                analyse_watched(&overlay, &project.design, &project.overrides, &mut watch)
+            };
             let analysis = catch_unwind(AssertUnwindSafe(work)).ok().map(Arc::new);
-            let worked = Worked { path, revision: job.revision, analysis };
-            if owner.send(Message::Worked(worked)).is_err() {
+            self.lock().running = None;
+            if unwanted.load(Ordering::Relaxed) {
+                continue;
+            }
+            let worked = analysis.map(|analysis| Worked { revision, analysis });
+            if owner.send(Message::Worked(path, worked)).is_err() {
                 return;
             }
         }
     }
 
     /// The next design, when nothing new has come for a moment; `None` at the end.
-    fn next(&self) -> Option<(PathBuf, Job)> {
+    fn next(&self) -> Option<(PathBuf, Job, Arc<AtomicBool>)> {
         let mut queue = self.lock();
         loop {
             if queue.stopped {
                 return None;
             }
-            let Some(newest) = queue.jobs.values().map(|job| job.revision).max() else {
+            let Some(rest) = queue.newest().map(|(_, job)| job.rest()) else {
                 queue = self.queue.1.wait(queue).unwrap_or_else(PoisonError::into_inner);
                 continue;
             };
-            let waited = self.queue.1.wait_timeout(queue, REST).unwrap_or_else(PoisonError::into_inner);
+            let waited = self.queue.1.wait_timeout(queue, rest).unwrap_or_else(PoisonError::into_inner);
             queue = waited.0;
-            if waited.1.timed_out() {
-                let path = queue
-                    .jobs
-                    .iter()
-                    .find(|(_, job)| job.revision == newest)
-                    .map(|(path, _)| path.clone())?;
-                return queue.jobs.remove_entry(&path);
+            if !waited.1.timed_out() {
+                continue;
+            }
+            let newest = queue.newest().map(|(path, _)| path.clone());
+            if let Some((path, job)) = newest.and_then(|path| queue.jobs.remove_entry(&path)) {
+                let unwanted = Arc::<AtomicBool>::default();
+                queue.running = Some((path.clone(), Arc::clone(&unwanted)));
+                return Some((path, job, unwanted));
             }
         }
     }

@@ -35,7 +35,7 @@ pub(crate) fn moved_diagnostic(diagnostic: &mut Diagnostic, file: ifs_compiler::
     }
     // A fix of another text mends nothing.
     for hint in &mut diagnostic.hints {
-        hint.fix = None;
+        hint.fixes.clear();
     }
 }
 

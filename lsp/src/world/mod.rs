@@ -2,13 +2,17 @@
 //! snapshots. No message format lives here.
 
 pub(crate) mod background;
+mod designs;
 pub(crate) mod documents;
 pub(crate) mod edits;
+pub(crate) mod names;
+pub(crate) mod outbox;
 pub(crate) mod overlay;
 pub(crate) mod owner;
 pub(crate) mod places;
 pub(crate) mod projects;
 pub(crate) mod snapshot;
+mod worst;
 
 pub(crate) use documents::Encoding;
 pub(crate) use owner::{Message, start};

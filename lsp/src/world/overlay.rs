@@ -19,19 +19,25 @@ pub(crate) struct Overlay {
     pub(crate) open: Arc<Open>,
 }
 
+impl Overlay {
+    fn document(&self, path: &str) -> Option<&Arc<Document>> {
+        self.open.get(&self.project.root.join(path))
+    }
+}
+
 impl Files for Overlay {
     fn read(&self, path: &str) -> Result<Vec<u8>, ReadError> {
-        match self.open.get(&self.project.root.join(path)) {
+        match self.document(path) {
             Some(document) => Ok(document.text.clone().into_bytes()),
             None => self.project.files.read(path),
         }
     }
 
     fn resolve(&self, path: &str) -> Result<String, ReadError> {
-        // A new document that was never saved lies nowhere yet.
-        if self.open.contains_key(&self.project.root.join(path)) && !path.contains("..") {
-            return Ok(path.to_owned());
+        match self.project.files.resolve(path) {
+            // A new document that was never saved lies nowhere yet.
+            Err(ReadError::NotFound) if self.document(path).is_some() => Ok(path.to_owned()),
+            resolved => resolved,
         }
-        self.project.files.resolve(path)
     }
 }

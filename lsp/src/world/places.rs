@@ -6,6 +6,7 @@ use std::sync::Arc;
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::source::FileId;
 
+use super::names::Names;
 use super::projects::Projects;
 
 /// The disk around one analysis.
@@ -14,6 +15,7 @@ pub(crate) struct Places {
     /// The folder of the project.
     pub(crate) root: PathBuf,
     pub(crate) projects: Arc<dyn Projects>,
+    pub(crate) names: Names,
 }
 
 impl Places {
@@ -28,10 +30,16 @@ impl Places {
 
     /// The file that lies there, where it is one of the analysis.
     pub(crate) fn file(&self, analysis: &Analysis, path: &Path) -> Option<FileId> {
-        analysis
-            .sources
-            .iter()
-            .map(|source| source.id)
-            .find(|id| self.path(analysis, *id).as_deref() == Some(path))
+        self.own_file(analysis, path).or_else(|| {
+            let files = analysis.sources.iter().map(|source| source.id);
+            let mut library = files.filter(|file| analysis.hir.is_library(*file));
+            library.find(|file| self.path(analysis, *file).as_deref() == Some(path))
+        })
+    }
+
+    /// The file of the project that lies there.
+    pub(crate) fn own_file(&self, analysis: &Analysis, path: &Path) -> Option<FileId> {
+        let inner = path.strip_prefix(&self.root).ok()?;
+        analysis.files.iter().find(|file| Path::new(&file.path) == inner).map(|file| file.file)
     }
 }

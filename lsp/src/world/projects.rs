@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ifs_compiler::hir::evaluate::Overrides;
-use ifs_compiler::source::Files;
+use ifs_compiler::source::{Files, ReadError};
 
 /// The disk, as the program that starts the server sees it.
 pub trait Projects: Send + Sync {
@@ -38,5 +38,26 @@ impl Debug for Project {
             .field("root", &self.root)
             .field("design", &self.design)
             .finish_non_exhaustive()
+    }
+}
+
+impl Project {
+    /// That of a document which lies in no folder (`untitled:`), by its name.
+    pub(crate) fn nowhere(name: &str) -> Project {
+        Project {
+            root: PathBuf::new(),
+            design: name.to_owned(),
+            files: Arc::new(Nowhere),
+            overrides: Overrides::default(),
+        }
+    }
+}
+
+/// No files at all.
+struct Nowhere;
+
+impl Files for Nowhere {
+    fn read(&self, _: &str) -> Result<Vec<u8>, ReadError> {
+        Err(ReadError::Other("a document that was never saved lies in no folder: save it first".to_owned()))
     }
 }

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::Diagnostic;
@@ -24,6 +25,15 @@ pub(crate) struct Snapshot {
     pub(crate) places: Places,
     pub(crate) open: Arc<Open>,
     pub(crate) encoding: Encoding,
+    /// Whether the document is still as it is here.
+    pub(super) fresh: Arc<AtomicBool>,
+}
+
+impl Snapshot {
+    /// Whether the document has changed since: what is found in this one is then of no use.
+    pub(crate) fn is_stale(&self) -> bool {
+        !self.fresh.load(Ordering::Relaxed)
+    }
 }
 
 /// A design that was worked out to its boards.

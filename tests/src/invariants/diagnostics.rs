@@ -27,8 +27,12 @@ fn well_formed(diagnostic: &Diagnostic, sources: &SourceMap) -> Holds {
     for label in &diagnostic.labels {
         lies_inside(label.span, sources).map_err(|why| format!("{name}, `{}`: {why}", label.text))?;
     }
-    for fix in diagnostic.hints.iter().filter_map(|hint| hint.fix.as_ref()) {
-        lies_inside(fix.span, sources).map_err(|why| format!("{name}, a fix: {why}"))?;
+    for fix in diagnostic.fixes() {
+        for edit in &fix.edits {
+            lies_inside(edit.span, sources).map_err(|why| format!("{name}, a fix: {why}"))?;
+        }
+        let ordered = fix.edits.windows(2).all(|pair| pair[0].span.end < pair[1].span.start);
+        holds(ordered && !fix.edits.is_empty(), || format!("{name}: the places of {fix:?} overlap"))?;
     }
     Ok(())
 }

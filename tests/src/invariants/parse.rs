@@ -80,10 +80,12 @@ fn complete(parsed: &Parse) -> Holds {
 /// A text with a proposed change made is a text like any other.
 fn fixes_can_be_parsed(parsed: &Parse, sources: &SourceMap) -> Holds {
     let Some(source) = sources.get(FileId(0)) else { return Ok(()) };
-    let hints = parsed.diagnostics.iter().flat_map(|diagnostic| &diagnostic.hints);
-    for fix in hints.filter_map(|hint| hint.fix.as_ref()).take(3) {
+    let fixes = parsed.diagnostics.iter().flat_map(|diagnostic| diagnostic.fixes());
+    for fix in fixes.take(3) {
         let mut text = source.text.clone();
-        text.replace_range(fix.span.range(), &fix.replacement);
+        for edit in fix.edits.iter().rev() {
+            text.replace_range(edit.span.range(), &edit.replacement);
+        }
         let mended = parse(&Source::new(FileId(0), "a.ifs", text.clone()));
         tiles(&text, &mended.tokens)?;
     }

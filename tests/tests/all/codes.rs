@@ -28,9 +28,14 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("E0605", "a_parameter_the_design_does_not_have"),
     ("E0606", "a_text_that_is_no_value"),
     ("E0807", "a_design_without_figures_is_not_built"),
+    ("E0860", "a_machine_of_a_file_takes_the_place_of_the_designs"),
+    ("E0861", "a_machine_of_a_file_takes_the_place_of_the_designs"),
+    ("E0862", "a_machine_of_a_file_takes_the_place_of_the_designs"),
     ("E0901", "a_board_that_the_machine_cannot_cut"),
     ("E0902", "a_program_that_its_read_back_refuses"),
     ("E0934", "a_nest_that_its_check_refuses"),
+    ("E0935", "a_sheet_that_the_machine_cannot_cut"),
+    ("E0936", "a_sheet_that_its_read_back_refuses"),
 ];
 
 #[test]
@@ -42,6 +47,7 @@ fn every_code_is_covered() {
     let beside = [
         "compiler/src/outputs/programs.rs",
         "compiler/src/outputs/nests.rs",
+        "compiler/src/outputs/sheet_programs.rs",
         "compiler/src/analysis/load/tests.rs",
         "compiler/src/analysis/project.rs",
         "tests/tests/all/projects.rs",
@@ -184,6 +190,46 @@ fn a_board_that_the_machine_cannot_cut() {
     let place = found.span.range();
     assert_eq!(&text[place], "router3(tool: 6mm, flute: 8mm)");
     assert!(found.message.contains("roof-00-00"), "{}", found.message);
+}
+
+#[test]
+fn a_sheet_that_the_machine_cannot_cut() {
+    let text = |programs: &str| {
+        format!(
+            "use std.curves (bspline3)
+            use std.surfaces (sheet)
+            use std.materials (birch_plywood)
+            use std.machines (router3)
+
+            let net = [[(i * 1m, j * 1m, 0m) for j in 0..5] for i in 0..5]
+            figure roof = sheet(bspline3, bspline3, net) at level 1
+
+            fabricate roof as panels {{
+                material: birch_plywood(12mm)
+                board: 2500mm by 1250mm
+                machine: router3(tool: 6mm, length: 2m)
+                nest: {{ gap: 8mm, programs: {programs} }}
+            }}"
+        )
+    };
+    let made = |programs: &str| {
+        let analysis = analysed(text(programs).as_bytes(), &[]);
+        assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
+        outputs(&analysis, &Selection::all())
+    };
+    let refused = made("both");
+    assert_eq!(refused.diagnostics.len(), 1, "{:?}", refused.diagnostics);
+    let found = &refused.diagnostics[0];
+    assert_eq!(found.code, Code::E0935);
+    assert!(text("both")[found.span.range()].starts_with("{ gap: 8mm"));
+    assert!(found.message.starts_with("sheet 1 gets no program: roof-"), "{}", found.message);
+    assert!(found.message.contains("of travel in x, the machine has 2000.000 mm"), "{}", found.message);
+    let paths = |made: &ifs_compiler::outputs::Outputs| -> Vec<String> {
+        made.files.iter().map(|file| file.path.clone()).filter(|path| path.ends_with(".nc")).collect()
+    };
+    let boards = made("boards");
+    assert!(boards.diagnostics.is_empty());
+    assert!(!paths(&boards).is_empty() && paths(&boards).iter().all(|path| path.starts_with("boards/")));
 }
 
 #[test]

@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 /// How many boards of a design are drawn: reading a drawing takes the referee 30 ms.
 const DRAWN: usize = 4;
 
-fn closed(corners: &[DVec2]) -> Value {
+pub(crate) fn closed(corners: &[DVec2]) -> Value {
     let points: Vec<[f64; 3]> = corners.iter().map(|at| [at.x, at.y, 0.0]).collect();
     json!([{ "points": points, "closed": true }])
 }
@@ -45,7 +45,7 @@ fn outlines(analysis: &Analysis) -> Vec<(String, String, Vec<DVec2>, Vec<DVec2>)
 }
 
 /// Strokes of a drawing's layer as its text has them; that they are those of the program is a test of `toolpath`.
-fn polylines_on(text: &str, layer: &str) -> Value {
+pub(crate) fn polylines_on(text: &str, layer: &str) -> Value {
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
     let tags: Vec<(&str, &str)> = lines.chunks(2).map(|pair| (pair[0], pair[1])).collect();
     let starts = tags.iter().enumerate().filter(|(_, tag)| **tag == ("0", "LWPOLYLINE")).map(|(at, _)| at);
@@ -62,7 +62,7 @@ fn polylines_on(text: &str, layer: &str) -> Value {
     Value::Array(found.collect())
 }
 
-fn judged(folder: &Path, expected: &[Value]) -> Verdict {
+pub(crate) fn judged(folder: &Path, expected: &[Value]) -> Verdict {
     let listing = folder.join("expected.json");
     fs::write(&listing, Value::from(expected).to_string()).unwrap();
     python_referee("dxf.py", &[folder, &listing])

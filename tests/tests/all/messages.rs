@@ -81,10 +81,13 @@ fn each_line_of_json_is_a_diagnostic() {
             assert!(diagnostic["notes"].as_array().unwrap().iter().all(Value::is_string));
             for hint in diagnostic["hints"].as_array().unwrap() {
                 assert!(!hint["text"].as_str().unwrap().is_empty());
-                if let Value::Object(fix) = &hint["fix"] {
-                    assert_place(&fix["at"], &path, text);
-                    assert!(fix["replacement"].is_string());
-                    fixes += 1;
+                for fix in hint["fixes"].as_array().unwrap() {
+                    assert!(!fix["title"].as_str().unwrap().is_empty());
+                    for edit in fix["edits"].as_array().unwrap() {
+                        assert_place(&edit["at"], &path, text);
+                        assert!(edit["replacement"].is_string());
+                        fixes += 1;
+                    }
                 }
             }
         }

@@ -29,7 +29,7 @@ fn machine(z_zero: ZZero, direction: CutDirection) -> Machine {
     Machine::try_new(router(z_zero, direction)).unwrap()
 }
 
-fn router(z_zero: ZZero, direction: CutDirection) -> MachineSpec {
+pub(crate) fn router(z_zero: ZZero, direction: CutDirection) -> MachineSpec {
     MachineSpec {
         name: "router".to_owned(),
         envelope: DVec3::new(2500.0, 1250.0, 150.0),
@@ -69,7 +69,7 @@ fn outlines() -> Vec<Vec<DVec2>> {
     ]
 }
 
-fn job(outline: Vec<DVec2>, alias: String) -> CutJob {
+pub(crate) fn job(outline: Vec<DVec2>, alias: String) -> CutJob {
     CutJob {
         address: format!("shell.{alias}"),
         alias,
@@ -127,22 +127,22 @@ fn written(folder: &Path) -> Value {
 }
 
 /// Numbers that look random and are the same everywhere.
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     /// From `low` to `high`.
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         // Knuth's multiplier for 64 bits; the upper bits are the good ones.
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
-    fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.between(0.0, count as f64) as usize).min(count - 1)
     }
 
     /// A convex quad or a plank, turned.
-    fn board(&mut self) -> Vec<DVec2> {
+    pub(crate) fn board(&mut self) -> Vec<DVec2> {
         let (w, h) = (self.between(90.0, 400.0), self.between(90.0, 400.0));
         let corners = if self.below(2) == 0 {
             let mut side = || self.between(0.25, 0.75);
@@ -156,7 +156,7 @@ impl Random {
         corners.map(|corner| turn.rotate(DVec2::from(corner))).to_vec()
     }
 
-    fn machine(&mut self, dialect: Dialect) -> MachineSpec {
+    pub(crate) fn machine(&mut self, dialect: Dialect) -> MachineSpec {
         let z_zero = [ZZero::TopOfStock, ZZero::Table][self.below(2)];
         let direction = [CutDirection::Climb, CutDirection::Conventional][self.below(2)];
         let mut spec = router(z_zero, direction);
@@ -216,7 +216,7 @@ fn random_boards_in_fanuc() {
     random_boards(Dialect::Fanuc);
 }
 
-fn judged(folder: &Path, entries: &Value) -> Verdict {
+pub(crate) fn judged(folder: &Path, entries: &Value) -> Verdict {
     let listing = folder.join("expected.json");
     fs::write(&listing, entries.to_string()).unwrap();
     python_referee("nc.py", &[folder, &listing])

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "the tests start programs and write what they read")]
 #![allow(clippy::unwrap_used, reason = "a test may fail anywhere")]
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -198,8 +199,71 @@ fn what_a_project_sets_loses_against_what_is_nearer() {
     assert_eq!(warned.code, Some(0));
     assert!(warned.stderr.contains("W0316") && warned.stderr.contains("../ifs.toml:2:1"), "{warned:?}");
     built("outt = \"x\"\n", &[], &[]).failed(1, &["E0314", "../ifs.toml:1:1", "did you mean `out`?"]);
-    built("machine = \"router3\"\n", &[], &[]).failed(1, &["E0001", "not available yet"]);
+    built("machine = \"router3\"\n", &[], &[]).failed(1, &["E0315", "is no file and name"]);
     fs::write(folder.join("ifs.toml"), b"\xff").unwrap();
     run(program().current_dir(&folder).args(["check", "designs/arch.ifs"]))
         .failed(1, &["E0313", "not UTF-8"]);
+}
+
+const SHOP: &str = "use std.machines (router3)\nlet travel = 2m\nlet grbl = router3(tool: 8mm, dialect: grbl)\nlet fanuc = \
+                    router3(tool: 8mm, dialect: fanuc)\n";
+
+#[test]
+fn a_machine_of_a_file_takes_the_place_of_the_designs() {
+    let folder = scratch("project-machine");
+    project(&folder);
+    fs::write(folder.join("designs/arch.ifs"), format!("{DESIGN}{PLANKS}")).unwrap();
+    fs::write(folder.join("shop.ifs"), SHOP).unwrap();
+    let build = |arguments: &[&str], variable: Option<&str>| {
+        let mut command = program();
+        command
+            .current_dir(folder.join("designs"))
+            .args(["build", "arch.ifs", "-o", "../made"])
+            .args(arguments);
+        if let Some(variable) = variable {
+            command.env("IFS_MACHINE", variable);
+        }
+        command
+    };
+    let machine = |set: &BTreeMap<String, Vec<u8>>| -> (String, String, usize) {
+        let of = |name: &str| -> String {
+            let json: Value = serde_json::from_slice(&set[name]).unwrap();
+            json["machine"].as_str().unwrap_or("none").to_owned()
+        };
+        (of("manifest.json"), of("report.json"), set.keys().filter(|name| name.ends_with(".t1.nc")).count())
+    };
+    let made = || contents(&folder.join("made"));
+    run(&mut build(&[], None)).good();
+    let own = made();
+    assert_eq!(machine(&own), ("none".to_owned(), "none".to_owned(), 0));
+    run(&mut build(&["--machine", "../shop.ifs:grbl"], None)).good();
+    let grbl = made();
+    let named = "shop.ifs:grbl".to_owned();
+    assert_eq!(machine(&grbl), (named.clone(), named.clone(), 8));
+    let manifest: Value = serde_json::from_slice(&grbl["manifest.json"]).unwrap();
+    assert!(manifest["sources"].as_array().unwrap().iter().any(|source| source["path"] == "shop.ifs"));
+    // The same by the environment and by the project; the argument wins.
+    run(&mut build(&[], Some("../shop.ifs:grbl"))).good();
+    assert_same(&grbl, &made(), "IFS_MACHINE");
+    fs::write(folder.join("ifs.toml"), "machine = \"shop.ifs:grbl\"\n").unwrap();
+    run(&mut build(&[], None)).good();
+    assert_same(&grbl, &made(), "ifs.toml");
+    run(&mut build(&["--machine", "../shop.ifs:fanuc"], None)).good();
+    assert_eq!(machine(&made()).0, "shop.ifs:fanuc");
+    fs::write(folder.join("ifs.toml"), "").unwrap();
+    let outside = scratch("project-machine-outside").join("shop.ifs");
+    fs::write(&outside, SHOP).unwrap();
+    let outside = format!("{}:grbl", outside.display());
+    for (named, code, said) in [
+        ("../none.ifs:grbl", "E0860", "there is no such file"),
+        (outside.as_str(), "E0860", "outside of the project"),
+        ("../shop.ifs:grbll", "E0861", "did you mean `grbl`?"),
+        ("../shop.ifs:travel", "E0862", "is no machine"),
+    ] {
+        let found = build(&["--machine", named], None).output().unwrap();
+        let text = String::from_utf8(found.stderr).unwrap();
+        assert_eq!(found.status.code(), Some(1), "{named}: {text}");
+        assert!(text.contains(code) && text.contains(said), "{named}: {text}");
+    }
+    assert_eq!(build(&["--machine", "shop.ifs"], None).output().unwrap().status.code(), Some(2));
 }

@@ -8,14 +8,16 @@ use ifs_tests::{imports, root, sources};
 
 #[test]
 fn imports_go_one_way() {
-    let source = root().join("compiler/src");
     let mut faults = Vec::new();
-    let files = sources::files(&source, "rs");
-    assert!(files.len() > 1);
-    for path in files {
-        let name = path.strip_prefix(&source).unwrap();
-        let found = imports::faults(name, &fs::read_to_string(&path).unwrap());
-        faults.extend(found.into_iter().map(|fault| format!("{}: {fault}", name.display())));
+    for house in [imports::COMPILER, imports::SERVER] {
+        let source = root().join(house.sources);
+        let files = sources::files(&source, "rs");
+        assert!(files.len() > 1);
+        for path in files {
+            let name = path.strip_prefix(&source).unwrap();
+            let found = imports::faults(house, name, &fs::read_to_string(&path).unwrap());
+            faults.extend(found.into_iter().map(|fault| format!("{}: {fault}", path.display())));
+        }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
@@ -23,7 +25,7 @@ fn imports_go_one_way() {
 #[test]
 fn every_source_says_what_it_is_for_and_is_short() {
     let mut faults = Vec::new();
-    for part in ["compiler", "cli", "tests", "benches", "fuzz/fuzz_targets"] {
+    for part in ["compiler", "cli", "lsp", "tests", "benches", "fuzz/fuzz_targets"] {
         let files = sources::files(&root().join(part), "rs");
         assert!(!files.is_empty(), "{part}");
         for path in files {

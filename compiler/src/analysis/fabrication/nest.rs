@@ -1,9 +1,9 @@
 //! `nest`: the raw boards and bars that elements are cut from together, and which elements are too large for them. Where
 //! they lie is worked out when outputs are made.
 
-use super::super::settings::{self, SettingValue, number};
-use super::{Elements, Nest, PanelsMade, PlanksMade, Work};
-use crate::diagnostic::{Code, Diagnostic};
+use super::super::settings::{self, SettingValue, choice, number};
+use super::{Elements, Nest, PanelsMade, PlanksMade, Programs, Work};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Grain, Panel};
 use crate::fabricate::plank::Plank;
@@ -19,8 +19,14 @@ const MARGIN: f64 = 10.0;
 /// What is left beyond the cutter where the design does not say the gap, mm.
 const SPACING: f64 = 2.0;
 
+/// What mitres and cuts may take of a bar beside the length of a plank, mm.
+const TRIMMED: f64 = 200.0;
+
 /// What a saw blade takes where the design does not say it, mm.
 const KERF: f64 = 4.0;
+
+/// The setting that is no length.
+const PROGRAMS: &str = "programs";
 
 /// A board as it is nested.
 pub(crate) fn nested_panel(panel: &Panel, grain: Grain) -> Part {
@@ -38,7 +44,8 @@ impl Work<'_> {
         let Some((_, Value::Settings(given), span)) = self.setting("nest").cloned() else {
             return Some(None);
         };
-        for (name, value, place) in given.iter() {
+        let lengths = given.iter().filter(|(name, _, _)| *name != PROGRAMS);
+        for (name, value, place) in lengths {
             let value = value.number().unwrap_or(f64::NAN);
             if !(value >= 0.0 && value.is_finite()) {
                 let why = format!("`{name}` is 0mm or more, but here it is {value}mm");
@@ -47,7 +54,7 @@ impl Work<'_> {
             }
         }
         let nest = match elements {
-            Elements::Panels(made) => Nest::Sheets(self.sheets(made, &given, span)?),
+            Elements::Panels(made) => Nest::Sheets(self.sheets(made, &given, span)?, programs(&given)),
             Elements::Planks(made) => Nest::Bars(self.bars(made, &given, span)?),
         };
         Some(Some(nest))
@@ -56,8 +63,7 @@ impl Work<'_> {
     fn sheets(&mut self, made: &PanelsMade, given: &[SettingValue], span: Span) -> Option<Sheet> {
         let tool = self.tool();
         let asked = |name: &str| find(given, name);
-        let gap =
-            asked("gap").map_or(tool.as_ref().map_or(GAP, |tool| tool.diameter + SPACING), |(gap, _)| gap);
+        let gap = asked("gap").map_or(tool.as_ref().map_or(GAP, |tool| tool.gap() + SPACING), |(gap, _)| gap);
         let margin = asked("margin").map_or(tool.as_ref().map_or(MARGIN, Tool::margin), |(margin, _)| margin);
         let (length, width) = made.settings.board;
         let sheet = Sheet { length, width, margin, gap };
@@ -68,7 +74,14 @@ impl Work<'_> {
                 length.min(width) / 2.0
             );
             let diagnostic = Diagnostic::new(Code::E0930, place, message).label("no room is left");
-            self.diagnostics.push(diagnostic.hint("use a smaller `margin` or a larger `board`"));
+            let fixes = match asked("margin") {
+                Some((_, place)) if MARGIN < length.min(width) / 2.0 => {
+                    let title = format!("set `margin` to {MARGIN}mm instead of {margin}mm");
+                    vec![Fix::titled(title).with(place, format!("{MARGIN}mm"))]
+                }
+                _ => Vec::new(),
+            };
+            self.diagnostics.push(diagnostic.ways("use a smaller `margin` or a larger `board`", fixes));
             return None;
         }
         if let Some(tool) = tool {
@@ -86,7 +99,12 @@ impl Work<'_> {
     /// Whether the cutter passes between boards and stays on the raw board.
     fn room_for(&mut self, tool: &Tool, sheet: &Sheet, given: &[SettingValue], span: Span) -> Option<()> {
         let needs = [
-            ("gap", sheet.gap, tool.diameter, "the cutter passes between boards once"),
+            (
+                "gap",
+                sheet.gap,
+                tool.gap(),
+                "the cutter passes between boards once, and leaves its `allowance` at first",
+            ),
             (
                 "margin",
                 sheet.margin,
@@ -104,8 +122,12 @@ impl Work<'_> {
                 tool.diameter
             );
             let diagnostic = Diagnostic::new(Code::E0931, place, message).label("too small").note(why);
-            self.diagnostics
-                .push(diagnostic.hint(format!("write `{name}: {least}mm`, or leave `{name}` out")));
+            let fixes = find(given, name).map(|(_, place)| {
+                let title = format!("set `{name}` to {least}mm instead of {value}mm");
+                Fix::titled(title).with(place, format!("{least}mm"))
+            });
+            let hint = format!("write `{name}: {least}mm`, or leave `{name}` out");
+            self.diagnostics.push(diagnostic.ways(hint, fixes.into_iter().collect()));
             return None;
         }
         Some(())
@@ -115,7 +137,16 @@ impl Work<'_> {
         let Some((_, length, _)) = self.setting("stock") else {
             let message = "planks are nested on bars, but the block does not say how long a bar is";
             let diagnostic = Diagnostic::new(Code::E0933, span, message).label("on bars of which length?");
-            self.diagnostics.push(diagnostic.hint("add the length of a raw bar: `stock: 4m`"));
+            // Whole metres that the longest plank can be cut from, and what trade sells at least.
+            let longest = made.planks.iter().map(|made| made.length).fold(0.0, f64::max);
+            let metres = ((longest + TRIMMED) / 1000.0).ceil().max(4.0);
+            let block = self.block.settings.iter().find(|setting| setting.name == "nest");
+            let fixes = block.map(|setting| {
+                Fix::titled(format!("add `stock: {metres}m`: the longest plank is {}mm", longest.ceil()))
+                    .with(before(setting.name_span), format!("stock: {metres}m\n    "))
+            });
+            let hint = "add the length of a raw bar: `stock: 4m`";
+            self.diagnostics.push(diagnostic.ways(hint, fixes.into_iter().collect()));
             return None;
         };
         let length = length.number().unwrap_or(0.0);
@@ -130,7 +161,10 @@ impl Work<'_> {
                 length / 2.0
             );
             let diagnostic = Diagnostic::new(Code::E0930, place, message).label("no room is left");
-            self.diagnostics.push(diagnostic.hint("use a smaller `trim` or longer `stock`"));
+            let title = format!("set `trim` to 0mm instead of {trim}mm");
+            let fixes = find(given, "trim").map(|(_, place)| Fix::titled(title).with(place, "0mm"));
+            let hint = "use a smaller `trim` or longer `stock`";
+            self.diagnostics.push(diagnostic.ways(hint, fixes.into_iter().collect()));
             return None;
         }
         let named = made.planks.iter().filter_map(|made| {
@@ -161,7 +195,8 @@ impl Work<'_> {
         let (_, machine, _) = self.setting("machine")?;
         let cutter = settings::field(self.hir, machine, "cutter")?;
         let stock_margin = number(self.hir, machine, "margin")?;
-        Some(Tool { diameter: number(self.hir, cutter, "diameter")?, stock_margin })
+        let allowance = number(self.hir, machine, "allowance")?;
+        Some(Tool { diameter: number(self.hir, cutter, "diameter")?, stock_margin, allowance })
     }
 }
 
@@ -169,13 +204,33 @@ impl Work<'_> {
 struct Tool {
     diameter: f64,
     stock_margin: f64,
+    allowance: f64,
 }
 
 impl Tool {
+    /// Between boards.
+    fn gap(&self) -> f64 {
+        self.diameter + self.allowance
+    }
+
     /// From a board to the edge of its sheet.
     fn margin(&self) -> f64 {
-        self.diameter + self.stock_margin
+        self.diameter + self.allowance + self.stock_margin
     }
+}
+
+/// What of the boards gets a program.
+fn programs(given: &[SettingValue]) -> Programs {
+    match choice(given.iter().find(|(name, _, _)| *name == PROGRAMS)) {
+        Some(1) => Programs::Boards,
+        Some(2) => Programs::Sheets,
+        _ => Programs::Both,
+    }
+}
+
+/// Where something can be put before a name.
+fn before(name: Span) -> Span {
+    Span::new(name.file, name.start, name.start)
 }
 
 fn find(given: &[SettingValue], name: &str) -> Option<(f64, Span)> {

@@ -35,7 +35,7 @@ pub(super) fn unreadable(written: &TextLiteral, path: &str, error: &ReadError, e
 const INSIDE: &str = "move the file into the project's folder; a project is the folder of the nearest `ifs.toml`, \
                       else the folder of the design";
 
-fn why(error: &ReadError) -> String {
+pub(in crate::analysis) fn why(error: &ReadError) -> String {
     match error {
         ReadError::NotFound => "there is no such file".to_owned(),
         ReadError::OutsideRoot => "it lies outside of the project".to_owned(),

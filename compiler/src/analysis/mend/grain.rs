@@ -1,6 +1,6 @@
 //! Boards whose grain runs another way.
 
-use super::Remedy;
+use super::{Remedies, Remedy, Worth};
 use crate::analysis::fabrication::{Elements, Fabrication, PanelsMade};
 use crate::analysis::measures;
 use crate::analysis::requirements::{LimitValue, RequirementResult};
@@ -32,13 +32,25 @@ pub(super) fn with_grain(made: &PanelsMade, grain: Grain) -> Option<Panels> {
     Some(all)
 }
 
-/// The grain with which boards bend as far as they must.
-pub(super) fn turned(fabrication: &Fabrication, requirement: &RequirementResult) -> Option<Remedy> {
+impl Remedies<'_> {
+    /// The grain with which boards bend as far as they must.
+    pub(super) fn grain_turned(
+        &self,
+        fabrication: &Fabrication,
+        requirement: &RequirementResult,
+    ) -> Option<Remedy> {
+        let (name, remedy) = turned(fabrication, requirement)?;
+        let fix = self.setting_put(fabrication, "grain", name);
+        Some(if remedy.worth == Worth::Mends { remedy.with(fix) } else { remedy })
+    }
+}
+
+fn turned(fabrication: &Fabrication, requirement: &RequirementResult) -> Option<(&'static str, Remedy)> {
     let Elements::Panels(made) = &fabrication.elements else { return None };
     if !matches!(requirement.limit, LimitValue::Grain(_)) {
         return None;
     }
-    let mut best: Option<(usize, &str, usize)> = None;
+    let mut best: Option<(usize, &'static str, usize)> = None;
     for (grain, name) in others(made).filter(|(grain, _)| *grain != Grain::Free) {
         let Some(turned) = with_grain(made, grain) else { continue };
         let turned = PanelsMade { panels: turned.panels, ..made.clone() };
@@ -49,10 +61,10 @@ pub(super) fn turned(fabrication: &Fabrication, requirement: &RequirementResult)
     }
     let (failing, name, total) = best?;
     if failing == 0 {
-        return Some(Remedy::mends(format!(
-            "with `grain: {name}` all {total} boards bend as far as they must"
-        )));
+        let sentence = format!("with `grain: {name}` all {total} boards bend as far as they must");
+        return Some((name, Remedy::mends(sentence)));
     }
     let fewer = failing < requirement.result.failing;
-    fewer.then(|| Remedy::falls_short(format!("with `grain: {name}` {failing} of {total} would fail")))
+    let sentence = format!("with `grain: {name}` {failing} of {total} would fail");
+    fewer.then(|| (name, Remedy::falls_short(sentence)))
 }

@@ -35,7 +35,13 @@ impl Remedies<'_> {
         if sentence.is_some() {
             let clean = tried.iter().any(|tried| tried.holds && tried.broken.is_none());
             let worth = if clean { Worth::Mends } else { Worth::Breaks };
-            return sentence.map(|sentence| Remedy { sentence, worth });
+            let mut holding: Vec<&Tried> = tried.iter().filter(|tried| tried.holds).collect();
+            holding.sort_by_key(|tried| (tried.broken.is_some(), tried.shift.abs()));
+            let clean_ones = holding.iter().filter(|tried| tried.broken.is_none());
+            let fixes = clean_ones
+                .filter_map(|tried| self.level_put(figure, tried.shift, tried.found.as_deref()))
+                .collect();
+            return sentence.map(|sentence| Remedy { sentence, fixes, worth });
         }
         none_mends(&mut tried, &now, asked).map(Remedy::falls_short)
     }

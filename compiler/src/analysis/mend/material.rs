@@ -4,12 +4,13 @@ use super::{Remedies, Remedy};
 use crate::analysis::fabrication::{Elements, Fabrication};
 use crate::analysis::requirements::{LimitValue, RequirementResult, evaluate_limit};
 use crate::analysis::{measures, settings, value_words};
+use crate::diagnostic::Fix;
 use crate::fabricate::checks::Limit;
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::{Evaluator, quantity_words};
 use crate::hir::scalar::Scalar;
 use crate::hir::schema::Measure;
-use crate::hir::tree::{Expr, ExprKind, Fabricate, Hir, ItemKind};
+use crate::hir::tree::{Expr, ExprKind, Fabricate, Hir, ItemKind, is_literal};
 use crate::hir::types::Type;
 
 /// Thicknesses are tried in steps of so many tenths of a millimetre.
@@ -57,10 +58,15 @@ impl Remedies<'_> {
                 break;
             };
             if tried.requirement.result.holds() {
-                return Some(Remedy::mends(format!(
-                    "thinner boards do: `{}`",
-                    call_words(self.hir, &call, tried.thickness)
-                )));
+                let then = quantity_words(tried.thickness, Dimension::LENGTH);
+                let title = format!(
+                    "make the boards {then} thick instead of {}",
+                    quantity_words(now, Dimension::LENGTH)
+                );
+                let place = argument(&given.value, thickness_at).map(|place| place.span);
+                let fix = place.map(|place| Fix::titled(title).with(place, then));
+                let words = call_words(self.hir, &call, tried.thickness);
+                return Some(Remedy::mends(format!("thinner boards do: `{words}`")).with(fix));
             }
             thinnest = Some(tried);
         }
@@ -167,6 +173,12 @@ fn call_with_thickness(hir: &Hir, material: &Expr) -> Option<(Expr, usize)> {
     // A thickness that follows from parameters is theirs to move.
     let given = arguments.get(place)?;
     matches!(given.kind, ExprKind::Scalar(_)).then(|| (material.clone(), place))
+}
+
+/// The number given for the thickness where the material is called in the block itself.
+fn argument(call: &Expr, place: usize) -> Option<&Expr> {
+    let (ExprKind::Call(_, arguments) | ExprKind::Record(_, arguments)) = &call.kind else { return None };
+    arguments.get(place).filter(|argument| is_literal(argument))
 }
 
 fn with_argument(call: &Expr, place: usize, value: Scalar) -> Expr {

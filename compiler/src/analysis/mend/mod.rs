@@ -3,21 +3,23 @@
 //! `variants` works the design out again with something changed, within a budget for the whole design; `levels` and
 //! `parameters` look through such variants; `material`, `grain` and `stock` work with the elements that are there.
 
+mod flatness;
 mod grain;
 mod levels;
 mod material;
 mod parameters;
 mod stock;
+mod text;
 mod variants;
 
 use super::Evaluated;
-use super::fabrication::{Elements, Fabrication};
-use super::requirements::{LimitValue, RequirementResult};
-use crate::fabricate::checks::Limit;
+use super::fabrication::Fabrication;
+use super::requirements::RequirementResult;
+use super::watch::Watch;
+use crate::diagnostic::{Fix, Hint};
 use crate::hir::evaluate::Overrides;
 use crate::hir::schema::Measure;
 use crate::hir::tree::Hir;
-use crate::planarize::{Pin, StopReason};
 use variants::{Block, Variants};
 
 /// What fails of a block.
@@ -44,16 +46,22 @@ enum Worth {
 struct Remedy {
     /// One sentence.
     sentence: String,
+    /// The changes of the text that do it, each of which is enough; empty where no text stands for it.
+    fixes: Vec<Fix>,
     worth: Worth,
 }
 
 impl Remedy {
     fn mends(sentence: String) -> Self {
-        Remedy { sentence, worth: Worth::Mends }
+        Remedy { sentence, fixes: Vec::new(), worth: Worth::Mends }
     }
 
     fn falls_short(sentence: String) -> Self {
-        Remedy { sentence, worth: Worth::FallsShort }
+        Remedy { sentence, fixes: Vec::new(), worth: Worth::FallsShort }
+    }
+
+    fn with(self, fixes: impl IntoIterator<Item = Fix>) -> Self {
+        Remedy { fixes: fixes.into_iter().collect(), ..self }
     }
 }
 
@@ -66,18 +74,24 @@ pub(super) struct Remedies<'a> {
 }
 
 impl<'a> Remedies<'a> {
-    pub(super) fn new(hir: &'a Hir, overrides: &'a Overrides, evaluated: &Evaluated) -> Self {
+    pub(super) fn new(
+        hir: &'a Hir,
+        overrides: &'a Overrides,
+        evaluated: &Evaluated,
+        watch: &'a mut dyn Watch,
+    ) -> Self {
         let now = variants::blocks(evaluated);
-        Remedies { hir, overrides, variants: Variants::new(hir, overrides, evaluated), now }
+        Remedies { hir, overrides, variants: Variants::new(hir, overrides, evaluated, watch), now }
     }
 
-    /// Sentences on what would make hold what fails of a block: what does, else how near one comes.
-    pub(super) fn of(&mut self, fabrication: &Fabrication, asked: Asked) -> Vec<String> {
+    /// What would make hold what fails of a block, in sentences with the changes of the text that do it: what does, else
+    /// how near one comes.
+    pub(super) fn of(&mut self, fabrication: &Fabrication, asked: Asked) -> Vec<Hint> {
         let mut remedies: Vec<Remedy> = Vec::new();
         remedies.extend(self.levels(&fabrication.figure, asked));
         remedies.extend(self.parameters(&fabrication.figure, asked));
         match asked {
-            Asked::Stock => remedies.extend(stock::remedies(fabrication)),
+            Asked::Stock => remedies.extend(self.larger_stock(fabrication)),
             Asked::Requirement(place) => {
                 if let Some(requirement) = fabrication.requirements.get(place) {
                     remedies.extend(self.of_requirement(fabrication, place, requirement));
@@ -86,13 +100,14 @@ impl<'a> Remedies<'a> {
         }
         let found = remedies.iter().any(|remedy| remedy.worth < Worth::FallsShort);
         remedies.sort_by_key(|remedy| remedy.worth);
-        let mut sentences: Vec<String> = remedies.into_iter().map(|remedy| remedy.sentence).collect();
+        let hints = remedies.into_iter().map(|remedy| Hint { text: remedy.sentence, fixes: remedy.fixes });
+        let mut sentences: Vec<Hint> = hints.collect();
         if !found {
             let measure = match asked {
                 Asked::Stock => None,
                 Asked::Requirement(place) => fabrication.requirements.get(place).map(|asked| asked.measure),
             };
-            sentences.push(self.last_resort(measure));
+            sentences.push(Hint { text: self.last_resort(measure), fixes: Vec::new() });
         }
         sentences
     }
@@ -104,10 +119,10 @@ impl<'a> Remedies<'a> {
         requirement: &RequirementResult,
     ) -> Vec<Remedy> {
         let mut remedies: Vec<Remedy> = Vec::new();
-        remedies.extend(flatter(fabrication, requirement));
+        remedies.extend(self.flatter(fabrication, requirement));
         match requirement.measure {
             Measure::BendRadius => {
-                remedies.extend(grain::turned(fabrication, requirement));
+                remedies.extend(self.grain_turned(fabrication, requirement));
                 remedies.extend(self.thinner(fabrication, place));
             }
             Measure::Mass => {
@@ -138,45 +153,4 @@ impl<'a> Remedies<'a> {
     fn now(&self, figure: &str) -> Option<&Block> {
         self.now.iter().find(|block| block.figure == figure)
     }
-}
-
-/// How quads become flatter: by planarizing at all, or with a border that may move.
-fn flatter(fabrication: &Fabrication, requirement: &RequirementResult) -> Option<Remedy> {
-    let Elements::Panels(panels) = &fabrication.elements else { return None };
-    let limit = match requirement.limit {
-        LimitValue::Plain(limit) => Some(limit),
-        LimitValue::Grain(_) => None,
-    };
-    let measure = requirement.measure;
-    let too_flat = match measure {
-        Measure::Planarity => matches!(limit, Some(Limit::AtMost(_) | Limit::Below(_))),
-        Measure::Fold | Measure::DiagonalRatio => matches!(limit, Some(Limit::AtLeast(_) | Limit::Above(_))),
-        Measure::BendRadius => matches!(limit, Some(Limit::AtMost(_) | Limit::Below(_))),
-        _ => return None,
-    };
-    if too_flat && measure == Measure::Planarity {
-        return Some(Remedy::mends(
-            "1 is flat: to ask for flat boards write `require planarity >= 0.9998`".into(),
-        ));
-    }
-    if too_flat {
-        return None;
-    }
-    let Some(options) = &panels.planarizing else {
-        let sentence = "`planarize: {}` moves vertices to make the quads flatter: add it to the block";
-        return Some(Remedy::mends(sentence.to_owned()));
-    };
-    let outcomes = || panels.figures.iter().filter_map(|figure| figure.outcome.as_ref());
-    let mut ways = Vec::new();
-    if outcomes().any(|outcome| outcome.stop == StopReason::IterationsUsed) {
-        let more = u64::from(options.iterations()).saturating_mul(4).max(100);
-        ways.push(format!(
-            "planarizing has used up its {} iterations: `iterations: {more}` lets it go on",
-            options.iterations()
-        ));
-    }
-    if options.pin() == Pin::Boundary {
-        ways.push("the border is held in place: `pin: corners` or `pin: none` lets it move".to_owned());
-    }
-    (!ways.is_empty()).then(|| Remedy::mends(ways.join("; ")))
 }

@@ -46,14 +46,16 @@ impl Remedies<'_> {
         // The same values for everything that fails: each variant is worked out once.
         let tries = self.variants.share(movable.len(), planarized);
         for parameter in &movable {
-            let mut clean = false;
+            let mut clean: Vec<String> = Vec::new();
             let found: Vec<String> = [1, -1]
                 .into_iter()
                 .filter_map(|way| {
                     let steps = self.nearest(parameter, way, figure, asked, planarized, tries)?;
                     let variant = self.moved(parameter, steps, planarized)?;
                     let broken = self.broken(&variant);
-                    clean |= broken.is_none();
+                    if broken.is_none() {
+                        clean.extend(parameter.words(steps));
+                    }
                     let broken = broken.map_or_else(String::new, |broken| format!(" (but then {broken})"));
                     Some(format!("{}{broken}", parameter.words(steps)?))
                 })
@@ -67,8 +69,9 @@ impl Remedies<'_> {
             } else if let Some(now) = parameter.words(0).filter(|_| !found.is_empty()) {
                 let name = &parameter.name;
                 let sentence = format!("it holds with {name} = {}; now it is {now}", found.join(" or "));
-                let worth = if clean { Worth::Mends } else { Worth::Breaks };
-                remedies.push(Remedy { sentence, worth });
+                let worth = if clean.is_empty() { Worth::Breaks } else { Worth::Mends };
+                let fixes = clean.iter().filter_map(|then| self.default_put(name, &now, then)).collect();
+                remedies.push(Remedy { sentence, fixes, worth });
             }
         }
         if remedies.is_empty() {

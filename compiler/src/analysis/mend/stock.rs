@@ -1,15 +1,26 @@
 //! The raw board or bar that is large enough, and the grain with which boards fit.
 
-use super::Remedy;
 use super::grain::{others, with_grain};
+use super::{Remedies, Remedy};
 use crate::analysis::fabrication::{Elements, Fabrication, PanelsMade};
 use crate::fabricate::panel::{Grain, PanelRefusal};
 use crate::fabricate::plank::PlankRefusal;
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
 
-/// What would let every element be cut from the raw boards or bars.
-pub(super) fn remedies(fabrication: &Fabrication) -> Vec<Remedy> {
+impl Remedies<'_> {
+    /// What would let every element be cut from the raw boards or bars, with the change of the setting.
+    pub(super) fn larger_stock(&self, fabrication: &Fabrication) -> Vec<Remedy> {
+        let found = remedies(fabrication);
+        let with = |(name, value, remedy): (&str, String, Remedy)| {
+            remedy.with(self.setting_put(fabrication, name, &value))
+        };
+        found.into_iter().map(with).collect()
+    }
+}
+
+/// The setting that would change, its value, and the sentence.
+fn remedies(fabrication: &Fabrication) -> Vec<(&'static str, String, Remedy)> {
     let mut remedies = Vec::new();
     match &fabrication.elements {
         Elements::Panels(made) => {
@@ -22,7 +33,8 @@ pub(super) fn remedies(fabrication: &Fabrication) -> Vec<Remedy> {
                 _ => None,
             });
             let needed = quantity_words(whole(needed.fold(0.0, f64::max)), Dimension::LENGTH);
-            remedies.push(Remedy::mends(format!("bars of {needed} are long enough for all of them")));
+            let sentence = format!("bars of {needed} are long enough for all of them");
+            remedies.push(("stock", needed, Remedy::mends(sentence)));
         }
     }
     remedies
@@ -34,7 +46,7 @@ fn whole(length: f64) -> f64 {
 }
 
 /// A raw board that holds all of them as they lie, in whole millimetres.
-fn larger_board(made: &PanelsMade) -> Option<Remedy> {
+fn larger_board(made: &PanelsMade) -> Option<(&'static str, String, Remedy)> {
     let (mut length, mut width) = made.settings.board;
     for refused in &made.refused {
         let PanelRefusal::TooLarge { size, .. } = refused.reason else { continue };
@@ -50,11 +62,13 @@ fn larger_board(made: &PanelsMade) -> Option<Remedy> {
         Grain::Free => "",
         Grain::U | Grain::V => ", its grain along the first of the two",
     };
-    Some(Remedy::mends(format!("a raw board of {length} by {width} is large enough for all of them{grain}")))
+    let board = format!("{length} by {width}");
+    let sentence = format!("a raw board of {board} is large enough for all of them{grain}");
+    Some(("board", board, Remedy::mends(sentence)))
 }
 
 /// The grain with which all of them fit the raw boards there are.
-fn turned(made: &PanelsMade) -> Option<Remedy> {
+fn turned(made: &PanelsMade) -> Option<(&'static str, String, Remedy)> {
     let too_large = |refused: &crate::fabricate::panel::RefusedPanel| {
         matches!(refused.reason, PanelRefusal::TooLarge { .. })
     };
@@ -62,5 +76,8 @@ fn turned(made: &PanelsMade) -> Option<Remedy> {
         .find(|(grain, _)| {
             with_grain(made, *grain).is_some_and(|turned| !turned.refused.iter().any(too_large))
         })
-        .map(|(_, name)| Remedy::mends(format!("with `grain: {name}` they fit the raw boards there are")))
+        .map(|(_, name)| {
+            let sentence = format!("with `grain: {name}` they fit the raw boards there are");
+            ("grain", name.to_owned(), Remedy::mends(sentence))
+        })
 }

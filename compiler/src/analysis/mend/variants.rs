@@ -4,6 +4,7 @@
 use super::Asked;
 use crate::analysis::fabrication::{Elements, Fabrication};
 use crate::analysis::requirements::RequirementResult;
+use crate::analysis::watch::{Quietly, Watch};
 use crate::analysis::{Evaluated, evaluate};
 use crate::diagnostic::Severity;
 use crate::hir::evaluate::{Limits, Overrides};
@@ -88,17 +89,24 @@ pub(super) struct Variants<'a> {
     /// What is left for levels and for parameters.
     left: [u64; 2],
     tried: BTreeMap<(Change, bool), Option<Variant>>,
+    watch: &'a mut dyn Watch,
 }
 
 impl<'a> Variants<'a> {
-    pub(super) fn new(hir: &'a Hir, overrides: &'a Overrides, evaluated: &Evaluated) -> Self {
+    pub(super) fn new(
+        hir: &'a Hir,
+        overrides: &'a Overrides,
+        evaluated: &Evaluated,
+        watch: &'a mut dyn Watch,
+    ) -> Self {
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let planarizes = evaluated.fabrications.iter().any(|made| match &made.elements {
             Elements::Panels(panels) => panels.planarizing.is_some(),
             Elements::Planks(_) => false,
         });
         let elements = counts.map(|count| count.elements).sum();
-        Variants { hir, overrides, elements, planarizes, left: [MOST_ELEMENTS; 2], tried: BTreeMap::new() }
+        let left = [MOST_ELEMENTS; 2];
+        Variants { hir, overrides, elements, planarizes, left, tried: BTreeMap::new(), watch }
     }
 
     /// How many more variants of so many elements can be tried, with other parameters or other levels.
@@ -137,7 +145,7 @@ impl<'a> Variants<'a> {
             Change::Level(..) => Purse::Levels,
             Change::Parameter(..) => Purse::Parameters,
         };
-        if self.affordable(purse, 0, planarized) == 0 {
+        if self.affordable(purse, 0, planarized) == 0 || self.watch.step().is_break() {
             return None;
         }
         let left = self.left[purse as usize];
@@ -153,7 +161,7 @@ impl<'a> Variants<'a> {
         let most = (left / each).min(overrides.limits.elements);
         overrides.limits =
             Limits { elements: most, boards: overrides.limits.boards.min(most), ..overrides.limits };
-        let evaluated = evaluate(self.hir, &overrides, false, &mut crate::analysis::Unwatched);
+        let evaluated = evaluate(self.hir, &overrides, false, &mut Quietly(self.watch));
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let elements = counts.map(|count| count.elements).sum();
         self.left[purse as usize] = left.saturating_sub(self.cost(elements, planarized));

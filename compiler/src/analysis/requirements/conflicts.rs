@@ -56,7 +56,8 @@ fn impossible(requirement: &Requirement, limit: Limit) -> Option<Diagnostic> {
     let diagnostic = diagnostic.note(format!("{} is {range}", measure.words()));
     Some(match measure {
         Measure::Planarity => {
-            diagnostic.hint("1 is flat: `require planarity >= 0.9998` allows a fold of 1.1 degrees")
+            let hint = "1 is flat: `require planarity >= 0.9998` allows a fold of 1.1 degrees";
+            diagnostic.fix(hint, requirement.span, "require planarity >= 0.9998")
         }
         _ => diagnostic.hint("write a limit inside of that"),
     })

@@ -58,7 +58,7 @@ fn failure(
         diagnostic = diagnostic.note(note);
     }
     for remedy in remedies.of(fabrication, Asked::Requirement(place)) {
-        diagnostic = diagnostic.hint(remedy);
+        diagnostic = diagnostic.ways(remedy.text, remedy.fixes);
     }
     diagnostic
 }
@@ -84,7 +84,7 @@ fn too_large(fabrication: &Fabrication, remedies: &mut Remedies<'_>) -> Option<D
         diagnostic = diagnostic.note(format!("and {} more: {others}{more}", refused.len() - 1));
     }
     for remedy in remedies.of(fabrication, Asked::Stock) {
-        diagnostic = diagnostic.hint(remedy);
+        diagnostic = diagnostic.ways(remedy.text, remedy.fixes);
     }
     Some(diagnostic)
 }

@@ -123,7 +123,7 @@ fn sheets_are_drawn_where_there_are_any() {
         name: name.to_owned(),
         boards: 1,
         part_of_area: Fixed::ratio(0.25),
-        files: Vec::new(),
+        files: vec![format!("sheets/{name}.nc"), format!("sheets/{name}.dxf")],
     };
     report.sheets.push(SheetsReport {
         material: "birch plywood".to_owned(),

@@ -3,6 +3,7 @@
 use super::lettering;
 use super::polygon::Polygon;
 use super::{CutJob, Refusal};
+use crate::fabricate::cut_job::{Placed, Rotation};
 use crate::fabricate::engrave::Stroke;
 use crate::fabricate::machine::Machine;
 use glam::DVec2;
@@ -16,12 +17,21 @@ const WIDTH: f64 = 1.0;
 /// # Errors
 /// As `program`, as far as it is about the outline and the engraving.
 pub fn engraving(job: &CutJob, machine: Option<&Machine>) -> Result<Vec<Stroke>, Refusal> {
-    let outline = Polygon::try_new(&job.outline)?;
     // Placed as in the stock, so that rounding chooses the same place.
-    let border = machine.map_or(0.0, Machine::border);
-    let shift = DVec2::splat(border) - outline.bounds().0;
+    let low = DVec2::splat(machine.map_or(0.0, Machine::border));
+    let strokes = engraving_on_sheet(&Placed { job, rotation: Rotation::None, low }, machine)?;
+    let back = Polygon::try_new(&job.outline)?.bounds().0 - low;
+    Ok(strokes.into_iter().map(|stroke| stroke.into_iter().map(|point| point + back).collect()).collect())
+}
+
+/// The same strokes of a part on a sheet, in the coordinates of the sheet, mm.
+///
+/// # Errors
+/// As `sheet`, as far as it is about the outline and the engraving.
+pub fn engraving_on_sheet(part: &Placed, machine: Option<&Machine>) -> Result<Vec<Stroke>, Refusal> {
+    let turned: Vec<DVec2> = part.job.outline.iter().map(|&point| part.rotation.turn(point)).collect();
+    let turned = Polygon::try_new(&turned)?;
     let width = machine.map_or(WIDTH, |machine| machine.engraver().diameter);
-    let strokes = lettering::place_strokes(job, width, &outline.shifted(shift))?.into_strokes();
-    let back = |stroke: Stroke| stroke.into_iter().map(|point| point - shift).collect();
-    Ok(strokes.into_iter().map(back).collect())
+    let outline = turned.shifted(part.low - turned.bounds().0);
+    Ok(lettering::place_strokes(part.job, width, &outline)?.into_strokes())
 }

@@ -19,7 +19,7 @@ mod tabs;
 #[cfg(test)]
 pub(crate) mod tests;
 
-pub use engraving::engraving;
+pub use engraving::{engraving, engraving_on_sheet};
 pub use program::{Header, PartHeader, PlacedPart, Program, Step, Turn};
 pub use refusal::{PartRefusal, Refusal};
 

@@ -1,7 +1,7 @@
 //! Boundaries of an ifs, and the joins that are stated of them (LANGUAGE 9): names and counts, no proofs.
 
 use super::{Checker, Frame};
-use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::diagnostic::{Code, Diagnostic, Fix, closest};
 use crate::hir::index::{DeclarationKind, Target};
 use crate::hir::tree::{Boundary, Expr, ExprKind, Ifs, Image, Join, JoinPart};
 use crate::hir::types::{PointSpace, Type};
@@ -131,7 +131,8 @@ impl Checker<'_> {
             let message = format!("`{name}` is a transform; a join is between boundaries");
             let diagnostic =
                 Diagnostic::new(Code::E0540, *span, message).label("which boundary of this piece?");
-            self.report(diagnostic.hint(format!("name one: `{name}.end`")));
+            let ends = ENDS.iter().map(|end| Fix::replacing(*span, format!("{name}.{end}"))).collect();
+            self.report(diagnostic.ways(format!("name one: `{name}.end`"), ends));
             return;
         }
         let names: Vec<&str> = typed.boundaries.iter().map(|boundary| boundary.name.as_str()).collect();

@@ -3,7 +3,7 @@
 use super::fields::Callee;
 use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::hir::index::Target;
 use crate::hir::schema::SchemaKind;
 use crate::hir::tree::{Expr, ExprKind, ItemId, SettingValue};
@@ -33,14 +33,16 @@ impl Checker<'_> {
                 return error_expr(span);
             }
             let message = format!("{} cannot be called", self.described(&callee.ty));
-            return self.not_callable(message, callee.span, None, span);
+            let factor = callee.ty.dimension().is_some() && arguments.len() == 1;
+            return self.not_callable(message, callee.span, None, factor, span);
         };
         if name == "self" {
             return self.self_with_arguments(frame, callee, arguments, span);
         }
         if let Some(local) = frame.locals.iter().rev().find(|local| local.name == *name) {
             let message = format!("`{name}` is no function: it is {}", self.described(&local.ty));
-            return self.not_callable(message, callee.span, Some(local.span), span);
+            let (declared, factor) = (local.span, local.ty.dimension().is_some() && arguments.len() == 1);
+            return self.not_callable(message, callee.span, Some(declared), factor, span);
         }
         match self.symbol(frame.module, name, callee.span) {
             Some(Symbol::Native(native)) => self.native(frame, native, arguments, callee.span, span),
@@ -57,14 +59,22 @@ impl Checker<'_> {
         }
     }
 
-    fn not_callable(&mut self, message: String, at: Span, declared: Option<Span>, span: Span) -> Expr {
+    /// `factor` says that what stands before the brackets is a number, which they may have been meant to multiply.
+    fn not_callable(
+        &mut self,
+        message: String,
+        at: Span,
+        declared: Option<Span>,
+        factor: bool,
+        span: Span,
+    ) -> Expr {
         let mut diagnostic = Diagnostic::new(Code::E0408, at, message).label("not a function");
         if let Some(declared) = declared {
             diagnostic = diagnostic.also(declared, "declared here");
         }
-        self.report(
-            diagnostic.hint("a product is written with `*`, an element of a list is picked with `[…]`"),
-        );
+        let product = factor.then(|| Fix::titled("multiply with `*`").with(at.after(), " * "));
+        let hint = "a product is written with `*`, an element of a list is picked with `[…]`";
+        self.report(diagnostic.ways(hint, product.into_iter().collect()));
         error_expr(span)
     }
 
@@ -107,7 +117,7 @@ impl Checker<'_> {
             let ty = self.types.get(&id).cloned().unwrap_or(Type::Error);
             let message = format!("`{name}` is no function: it is {}", self.described(&ty));
             let declared = self.items[id.0 as usize].name_span;
-            return self.not_callable(message, at, Some(declared), span);
+            return self.not_callable(message, at, Some(declared), false, span);
         }
         let bound = self.bind_item(frame, id, &name, arguments, at, span);
         let Some(values) = bound else { return error_expr(span) };

@@ -1,5 +1,6 @@
 //! Where a value of one type serves as another, and the message where it does not.
 
+use super::units::with_unit;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
@@ -120,9 +121,9 @@ impl Checker<'_> {
                         format!("give it a unit where it is declared, or multiply by one: `… * 1{unit}`");
                     return Some(Box::new(move |diagnostic| diagnostic.hint(text)));
                 }
-                let after = span.after();
+                let fixes = with_unit(span, *dimension);
                 let text = format!("add a unit, such as `{unit}`");
-                Some(Box::new(move |diagnostic| diagnostic.fix(text, after, unit)))
+                Some(Box::new(move |diagnostic| diagnostic.ways(text, fixes)))
             }
             Type::Quantity(Dimension::NUMBER) if value.ty.dimension().is_some() => {
                 Some(Box::new(|diagnostic| {

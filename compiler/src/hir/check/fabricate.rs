@@ -1,11 +1,12 @@
 //! Fabricate blocks: the figure, settings by the program's table, requirements by its list of measures.
 
 use super::scope::Symbol;
+use super::units::placeholder;
 use super::{Checker, Frame};
-use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::diagnostic::{Code, Diagnostic, Fix, closest};
 use crate::hir::dimension::Dimension;
 use crate::hir::index::Target;
-use crate::hir::schema::{Measure, SchemaKind, SettingType};
+use crate::hir::schema::{Measure, SchemaKind, Setting, SettingType};
 use crate::hir::tree::{Expr, ExprKind, Fabricate, ItemId, ItemKind, Limit, Requirement, SettingValue};
 use crate::hir::types::Type;
 use crate::source::Span;
@@ -117,10 +118,51 @@ impl Checker<'_> {
         let message = format!("{} need {}", kind.name(), names.join(" and "));
         let mut diagnostic = Diagnostic::new(Code::E0403, block.kind.span, message)
             .label(format!("no {}", names.join(", no ")));
-        for setting in missing {
-            diagnostic = diagnostic.hint(format!("add `{}: …`: {}", setting.name, setting.doc));
+        let fix = self.settings_to_add(block, kind, &names, &missing);
+        for (place, setting) in missing.iter().enumerate() {
+            let hint = format!("add `{}: …`: {}", setting.name, setting.doc);
+            let fix = fix.clone().filter(|_| place == 0);
+            diagnostic = diagnostic.ways(hint, fix.into_iter().collect());
         }
         self.report(diagnostic);
+    }
+
+    /// Values to begin with for settings that must be given, before the first line of the block; with what must be
+    /// imported for them.
+    fn settings_to_add(
+        &self,
+        block: &ast::Fabricate,
+        kind: SchemaKind,
+        names: &[String],
+        missing: &[&Setting],
+    ) -> Option<Fix> {
+        let first = block.entries.first()?.span;
+        let (material, call) = match kind {
+            SchemaKind::Panels => ("birch_plywood", "birch_plywood(12mm)"),
+            _ => ("sawn_spruce", "sawn_spruce"),
+        };
+        let mut lines = String::new();
+        let mut import = None;
+        for setting in missing {
+            let value = match setting.name {
+                "material" => {
+                    let known = self.modules[0].imports.contains_key(material);
+                    import = (!known).then(|| self.import_place(0)).flatten();
+                    call.to_owned()
+                }
+                "section" => "120mm by 40mm".to_owned(),
+                _ => match &setting.ty {
+                    SettingType::Of(ty) => placeholder(ty)?,
+                    SettingType::Library(_) => return None,
+                },
+            };
+            lines += &format!("{}: {value}\n    ", setting.name);
+        }
+        let mut fix = Fix::titled(format!("add {} to begin with", names.join(" and ")));
+        if let Some(at) = import {
+            fix = fix.with(at, format!("use std.materials ({material})\n"));
+        }
+        Some(fix.with(Span::new(first.file, first.start, first.start), lines))
     }
 
     /// One setting of a block; `None` after a report.

@@ -1,8 +1,9 @@
 //! Arguments put in the places of parameters: by position, by name, by default.
 
 use super::items::Parameter;
+use super::units::placeholder;
 use super::{Checker, Frame};
-use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::diagnostic::{Code, Diagnostic, Fix, closest};
 use crate::hir::index::Target;
 use crate::hir::native::Native;
 use crate::hir::tree::{Expr, ItemId};
@@ -75,7 +76,7 @@ impl Checker<'_> {
             .collect();
         // A name that is not known is most likely the missing one: one mistake.
         if !missing.is_empty() && !misnamed {
-            self.missing(what, &missing, at);
+            self.missing(what, &missing, at, arguments.last().map(argument_span));
         }
         let bound = parameters.iter().zip(places);
         bound
@@ -85,7 +86,8 @@ impl Checker<'_> {
             .collect()
     }
 
-    fn missing(&mut self, what: &str, missing: &[&Parameter], at: Span) {
+    /// `last` is the last argument there is.
+    fn missing(&mut self, what: &str, missing: &[&Parameter], at: Span, last: Option<Span>) {
         let names: Vec<String> = missing.iter().map(|parameter| format!("`{}`", parameter.name)).collect();
         let examples: Vec<String> = missing
             .iter()
@@ -97,7 +99,15 @@ impl Checker<'_> {
         let message = format!("`{what}` needs {}", names.join(" and "));
         let label = format!("no {}", names.join(", no "));
         let diagnostic = Diagnostic::new(Code::E0403, at, message).label(label);
-        self.report(diagnostic.hint(format!("add {}", examples.join(", and "))));
+        let given: Option<Vec<String>> = missing
+            .iter()
+            .map(|parameter| Some(format!("{}: {}", parameter.name, placeholder(&parameter.ty)?)))
+            .collect();
+        let fix = given.zip(last).map(|(given, last)| {
+            let given = given.join(", ");
+            Fix::titled(format!("add `{given}`")).with(last.after(), format!(", {given}"))
+        });
+        self.report(diagnostic.ways(format!("add {}", examples.join(", and ")), fix.into_iter().collect()));
     }
 
     fn place(

@@ -25,6 +25,7 @@ mod scope;
 mod test;
 mod transform;
 mod type_expr;
+mod units;
 mod until;
 
 use super::index::Index;
@@ -159,7 +160,14 @@ impl<'a> Checker<'a> {
         let root = self.modules.first().map_or(FileId(0), |module| module.file);
         let library = self.modules.iter().filter(|module| module.is_library());
         let library = library.map(|module| module.file).collect();
-        let hir = Hir { items: self.items, fabricates: self.fabricates, tests: self.tests, root, library };
+        let hir = Hir {
+            items: self.items,
+            fabricates: self.fabricates,
+            tests: self.tests,
+            root,
+            library,
+            machine_file: None,
+        };
         let mut index = self.index.unwrap_or_default();
         index.sort();
         Checked { hir, diagnostics: self.diagnostics.finish(), index }

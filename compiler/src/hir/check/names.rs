@@ -53,7 +53,7 @@ impl Checker<'_> {
     }
 
     /// Before the first item, unless comments that document it stand there.
-    fn import_place(&self, module: usize) -> Option<Span> {
+    pub(super) fn import_place(&self, module: usize) -> Option<Span> {
         let bare = self.modules[module].ast.items.iter().find(|item| item.docs.is_empty())?;
         Some(Span::new(self.module_file(module), bare.span.start, bare.span.start))
     }

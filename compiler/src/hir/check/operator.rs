@@ -1,5 +1,6 @@
 //! Operators on numbers, points and vectors, and their dimensions.
 
+use super::units::with_unit;
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
@@ -167,7 +168,8 @@ impl Checker<'_> {
             let unit = other.dimension().map_or("", |dimension| dimension.display_unit().0);
             diagnostic = match unitless {
                 Some(side) if matches!(side.kind, ExprKind::Scalar(_)) && !unit.is_empty() => {
-                    diagnostic.fix(format!("add a unit, such as `{unit}`"), side.span.after(), unit)
+                    let fixes = other.dimension().map_or(Vec::new(), |other| with_unit(side.span, other));
+                    diagnostic.ways(format!("add a unit, such as `{unit}`"), fixes)
                 }
                 _ => diagnostic
                     .hint("only values of one dimension are added: lengths to lengths, angles to angles"),

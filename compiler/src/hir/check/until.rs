@@ -1,7 +1,7 @@
 //! `… until edge <= 600mm`, `… each until size <= 20mm`.
 
 use super::{Checker, Frame, error_expr};
-use crate::diagnostic::{Code, Diagnostic, did_you_mean};
+use crate::diagnostic::{Code, Diagnostic, Fix, closest};
 use crate::hir::size::{SizeMeasure, UntilExpr};
 use crate::hir::tree::{Expr, ExprKind, Limit};
 use crate::hir::types::Type;
@@ -51,30 +51,41 @@ impl Checker<'_> {
             let diagnostic =
                 Diagnostic::new(Code::E0550, measure.span, message).label("not a size of an element");
             let words = SizeMeasure::ALL.map(SizeMeasure::word);
-            let hint = did_you_mean(&measure.text, words);
-            let all = "a level is found by `edge`, `length` or `size`".to_owned();
-            self.report(diagnostic.hint(hint.unwrap_or(all)));
+            let all = "a level is found by `edge`, `length` or `size`";
+            self.report(match closest(&measure.text, words) {
+                Some(near) => diagnostic.fix(format!("did you mean `{near}`?"), measure.span, near),
+                None => diagnostic.hint(all),
+            });
         }
         known
     }
 
     /// Whether a limit has the one bound a level is found by: a largest size.
     fn bounds(&mut self, each: bool, measure: &ast::Name, limit: &Limit, at: Span) -> bool {
-        let (message, label, hint) = match limit {
+        let at_most = |value: &Expr| {
+            let sign = Span::new(at.file, measure.span.end, value.span.start);
+            Fix::titled("ask for a largest size: `<=`").with(sign, " <= ")
+        };
+        let (message, label, hint, fixes) = match limit {
             Limit::Compare(Comparison::AtMost | Comparison::Less, _) => return true,
             Limit::Within(..) if !each => return true,
-            Limit::Within(..) => (
+            Limit::Within(from, to) => (
                 "a branch that stops on its own has no smallest size",
                 "only a largest size",
                 format!("write `each until {} <= …`", measure.text),
+                vec![
+                    Fix::titled("ask for a largest size alone: `<=`")
+                        .with(Span::new(at.file, measure.span.end, from.span.end.max(to.span.start)), " <= "),
+                ],
             ),
-            Limit::Compare(..) => (
+            Limit::Compare(_, value) => (
                 "elements get smaller with every level: `until` needs a largest size",
                 "no largest size",
                 format!("write `until {} <= …`, or `in … .. …` for both ends", measure.text),
+                vec![at_most(value)],
             ),
         };
-        self.report(Diagnostic::new(Code::E0551, at, message).label(label).hint(hint));
+        self.report(Diagnostic::new(Code::E0551, at, message).label(label).ways(hint, fixes));
         false
     }
 }

@@ -1,9 +1,9 @@
 //! Lists: comprehensions, elements, slices.
 
 use super::{Evaluator, Frame, Outcome, Stop};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::{Arithmetic, Clause, Expr};
+use crate::hir::tree::{Arithmetic, Clause, Expr, is_literal};
 use crate::hir::value::{Combination, Value};
 use crate::source::Span;
 use std::sync::Arc;
@@ -89,7 +89,17 @@ impl Evaluator<'_> {
             let diagnostic = Diagnostic::new(Code::E0602, index.span, message).label(format!("is {place}"));
             self.report(match elements.len() {
                 0 => diagnostic.hint("the list is empty"),
-                n => diagnostic.hint(format!("elements are counted from 0 to {}", n - 1)),
+                n => {
+                    let last = if place < 0 { 0 } else { n - 1 };
+                    let fixes = match is_literal(index) {
+                        true => {
+                            let title = format!("take element {last} instead of {place}");
+                            vec![Fix::titled(title).with(index.span, last.to_string())]
+                        }
+                        false => Vec::new(),
+                    };
+                    diagnostic.ways(format!("elements are counted from 0 to {}", n - 1), fixes)
+                }
             })
         })
     }

@@ -32,7 +32,7 @@ pub use budget::MOST_ELEMENTS;
 pub use expression::{quantity_words, quantity_words_to, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
 pub use limits::Limits;
-pub use overrides::{OverrideError, Overrides, ParameterValue, read_value};
+pub use overrides::{MachineName, OverrideError, Overrides, ParameterValue, read_value};
 pub use test::MadeValues;
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};

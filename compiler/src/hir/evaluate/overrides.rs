@@ -1,11 +1,11 @@
 //! Parameters set from outside, their ranges, and levels shifted while a remedy is looked for.
 
 use super::{Evaluator, Limits, Outcome, Stop};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::exact::Rational;
 use crate::hir::dimension::{Worth, unit_worth};
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::{ItemId, Param};
+use crate::hir::tree::{ItemId, Param, is_literal};
 use crate::hir::types::Type;
 use crate::hir::value::Value;
 use crate::syntax::ast::Unit;
@@ -19,6 +19,8 @@ pub struct Overrides {
     /// Values for parameters that a design may have or not, as written, each with the words for where it comes from.
     /// `parameters` win.
     pub defaults: BTreeMap<String, (String, String)>,
+    /// The machine that takes the place of those the fabricate blocks name.
+    pub machine: Option<MachineName>,
     /// Parameters by name, worked out already; these win. For looking for remedies.
     pub values: BTreeMap<String, Scalar>,
     /// A figure whose levels are read higher or lower by so much.
@@ -27,6 +29,25 @@ pub struct Overrides {
     pub leave_unplanarized: bool,
     /// What the design may ask for.
     pub limits: Limits,
+}
+
+/// A machine that is named from outside: a value of a file of the project.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MachineName {
+    /// The path of the file from the root of the project, with `/`.
+    pub file: String,
+    /// The name of the value in it.
+    pub name: String,
+    /// The words for where it comes from: `--machine`.
+    pub whence: String,
+}
+
+impl MachineName {
+    /// File and name out of a text such as `machines.ifs:router`; none where one of them is missing.
+    #[must_use]
+    pub fn split(text: &str) -> Option<(&str, &str)> {
+        text.rsplit_once(':').filter(|(file, name)| !file.trim().is_empty() && !name.trim().is_empty())
+    }
 }
 
 /// A parameter's value as it is used, for reports.
@@ -175,10 +196,20 @@ impl Evaluator<'_> {
             format!("`{name}` is {}, outside of its range {} .. {}", words(value), words(least), words(most));
         let nearest = if inside(value, least) { words(least) } else { words(most) };
         let place = if set.is_some() { name_span } else { param.default.value.span };
+        let fixes = match (&set, is_literal(&param.default.value)) {
+            (None, true) => {
+                let title = format!(
+                    "set `{name}` to {nearest}, the nearest in its range, instead of {}",
+                    words(value)
+                );
+                vec![Fix::titled(title).with(place, nearest.clone())]
+            }
+            _ => Vec::new(),
+        };
         let diagnostic = Diagnostic::new(Code::E0601, place, message)
             .label(if set.is_some() { "set from outside" } else { "its default" })
             .also(range_span, "its range")
-            .hint(format!("the nearest value in the range is {nearest}"));
+            .ways(format!("the nearest value in the range is {nearest}"), fixes);
         Err(self.report(said_by(diagnostic, set.flatten())))
     }
 }

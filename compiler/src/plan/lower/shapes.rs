@@ -121,7 +121,7 @@ impl Lowering<'_, '_> {
 
     fn level_missing(&mut self, message: String, at: Span) {
         let diagnostic = Diagnostic::new(Code::E0801, at, message).label("how deep does it go?");
-        self.diagnostics.push(diagnostic.hint("add a level: `… at level 3`"));
+        self.diagnostics.push(diagnostic.fix("add a level: `… at level 3`", at.after(), " at level 3"));
     }
 }
 

@@ -89,3 +89,54 @@ fn a_part_that_is_not_where_it_should_be_is_found() {
     fewer.parts.pop();
     assert!(kinds(&fewer).contains(&FaultKind::Header));
 }
+
+/// The program with the X and Y of the contour of one part changed, counted from 0; or without that contour.
+fn contour_changed(text: &str, part: usize, change: Option<fn(f64, f64) -> (f64, f64)>) -> String {
+    let mut contours = 0;
+    let mut out = String::new();
+    for line in text.lines() {
+        contours += usize::from(line.starts_with("(outer contour"));
+        let ends = line.starts_with('M');
+        if contours != part + 1 || ends {
+            out += &format!("{line}\n");
+            continue;
+        }
+        let Some(change) = change else { continue };
+        let number = |letter: char| -> Option<f64> {
+            line.split(' ').find_map(|word| word.strip_prefix(letter)).and_then(|value| value.parse().ok())
+        };
+        let moved = number('X').zip(number('Y')).map(|(x, y)| change(x, y));
+        let words = line.split(' ').map(|word| match (word.as_bytes()[0], moved) {
+            (b'X', Some((x, _))) => format!("X{x:.3}"),
+            (b'Y', Some((_, y))) => format!("Y{y:.3}"),
+            _ => word.to_owned(),
+        });
+        out += &format!("{}\n", words.collect::<Vec<_>>().join(" "));
+    }
+    out
+}
+
+#[test]
+fn a_program_that_cuts_a_part_elsewhere_is_found() {
+    let (jobs, machine) = (jobs(), Machine::try_new(router()).unwrap());
+    let good = laid(&jobs, 10.0);
+    let text = nc::write(&sheet(&good, &machine).unwrap(), &machine).remove(0).text;
+    let expected = Expected::of_sheet(&good, &machine);
+    assert!(read_back(&contour_changed(&text, 1, Some(|x, y| (x, y))), &expected).is_ok());
+    let kinds = |text: &str| -> Vec<FaultKind> {
+        read_back(text, &expected).unwrap_err().iter().map(|fault| fault.kind).collect()
+    };
+    let moved = kinds(&contour_changed(&text, 1, Some(|x, y| (x + 0.05, y))));
+    assert!(moved.contains(&FaultKind::Gouge) && moved.contains(&FaultKind::Uncut), "moved: {moved:?}");
+    let overlapped = kinds(&contour_changed(&text, 1, Some(|x, y| (x - 40.0, y))));
+    assert!(overlapped.contains(&FaultKind::Gouge), "overlapped: {overlapped:?}");
+    let missing = kinds(&contour_changed(&text, 1, None));
+    assert!(missing.contains(&FaultKind::Uncut), "missing: {missing:?}");
+    // Whole programs of sheets that lie otherwise, with the header of the good one.
+    let mut turned = good.clone();
+    turned.parts[0].rotation = Rotation::Half;
+    let other = nc::write(&sheet(&turned, &machine).unwrap(), &machine).remove(0).text;
+    let other = other.replacen("turned 180", "turned 0", 1);
+    let found = kinds(&other);
+    assert!(found.contains(&FaultKind::Gouge) || found.contains(&FaultKind::Uncut), "turned: {found:?}");
+}

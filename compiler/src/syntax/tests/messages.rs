@@ -21,10 +21,11 @@ fn said(text: &str) -> String {
 /// The text with the first fix of its only diagnostic made.
 fn mended(text: &str) -> String {
     let found = only(text);
-    let fix = found.hints.iter().find_map(|hint| hint.fix.as_ref());
+    let fix = found.fixes().next();
     let fix = fix.unwrap_or_else(|| panic!("a fix for {text}: {found:#?}"));
     let mut better = text.to_owned();
-    better.replace_range(fix.span.range(), &fix.replacement);
+    let edit = &fix.edits[0];
+    better.replace_range(edit.span.range(), &edit.replacement);
     better
 }
 

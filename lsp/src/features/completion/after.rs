@@ -2,8 +2,8 @@
 
 use ifs_compiler::syntax::TokenKind;
 
-use super::tokens::Before;
 use super::{Kind, Offer};
+use crate::features::tokens::Before;
 
 /// Where an ifs lives.
 pub(super) fn spaces(before: &Before<'_>) -> Vec<Offer> {

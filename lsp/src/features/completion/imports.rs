@@ -8,8 +8,8 @@ use ifs_compiler::hir::types::Type;
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::{Token, TokenKind, ast};
 
-use super::tokens::Before;
 use super::{Kind, Offer};
+use crate::features::tokens::Before;
 use crate::features::words::written;
 
 /// The modules of the library; behind `use` alone the files of the project too.

@@ -12,7 +12,6 @@ mod settings;
 mod snippets;
 #[cfg(test)]
 mod tests;
-mod tokens;
 mod units;
 
 use ifs_compiler::analysis::Analysis;
@@ -23,9 +22,9 @@ use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::TokenKind;
 
 use super::supplement::supplemented;
+use super::tokens::{Before, Cursor, cursor};
 pub(crate) use names::library_item_docs;
 use place::{Place, place};
-use tokens::{Before, Cursor, cursor};
 
 /// What kind of thing is offered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

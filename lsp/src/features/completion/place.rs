@@ -4,7 +4,7 @@ use ifs_compiler::hir::schema::SchemaKind;
 use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
 
-use super::tokens::{Before, Open};
+use crate::features::tokens::{Before, Open};
 
 /// What could be written at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]

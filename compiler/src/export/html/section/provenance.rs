@@ -22,6 +22,12 @@ pub(in crate::export::html) fn provenance(page: &mut Markup, report: &Report) {
                 let hash = report.design_hash.as_str();
                 page.texts("data", &[("value", hash), ("data-at", "/design_hash")], hash);
             });
+            if let Some(machine) = &report.machine {
+                page.text("; machine ");
+                page.element("code", &[], |page| {
+                    page.texts("data", &[("value", machine), ("data-at", "/machine")], machine);
+                });
+            }
             page.text(". The same sources and parameters give the same report, byte by byte.");
         });
         let columns = [Column::text("Source", "path"), Column::text("SHA-256", "sha256")];

@@ -9,7 +9,7 @@ use crate::export::html::markup::Markup;
 use crate::export::html::number::{count, count_figure, counted, shown};
 use crate::export::html::table::{Cell, Column, table};
 use crate::export::number::Fixed;
-use crate::export::report::{BarsReport, Report, SheetsReport, UnplacedReport};
+use crate::export::report::{BarsReport, Report, SheetReport, SheetsReport, UnplacedReport};
 
 /// Sheets drawn, at most.
 const MOST_SHEETS: usize = 60;
@@ -49,10 +49,11 @@ fn nested(page: &mut Markup, nest: &SheetsReport, shapes: &[&SheetShape], at: &s
             page.text(&format!(" The first {MOST_SHEETS} are drawn; all are in nest.csv."));
         }
     });
-    for pair in shapes[..shapes.len().min(MOST_SHEETS)].chunks(2) {
+    let drawn: Vec<_> = shapes.iter().zip(&nest.sheets).take(MOST_SHEETS).collect();
+    for pair in drawn.chunks(2) {
         page.element("figure", &[("class", "pair")], |page| {
-            for sheet in pair {
-                page.element("div", &[], |page| one(page, sheet));
+            for (sheet, SheetReport { files, .. }) in pair {
+                page.element("div", &[], |page| one(page, sheet, files));
             }
         });
     }
@@ -129,7 +130,7 @@ fn percent(page: &mut Markup, part: Option<Fixed>, at: &str) {
     }
 }
 
-fn one(page: &mut Markup, sheet: &SheetShape) {
+fn one(page: &mut Markup, sheet: &SheetShape, files: &[String]) {
     let title = format!(
         "Sheet {}: {}, {} % used",
         sheet.name,
@@ -137,6 +138,9 @@ fn one(page: &mut Markup, sheet: &SheetShape) {
         shown(100.0 * sheet.used, 1)
     );
     page.texts("p", &[("class", "over")], &title);
+    if !files.is_empty() {
+        page.texts("p", &[("class", "over")], &files.join(", "));
+    }
     let scale = (ROOM.x / sheet.size.x).min(ROOM.y / sheet.size.y);
     if !(scale.is_finite() && scale > 0.0) {
         return;

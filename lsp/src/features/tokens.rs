@@ -6,28 +6,28 @@ use ifs_compiler::syntax::{Token, TokenKind};
 
 /// An open bracket, by the place of its token.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Open {
-    pub(super) kind: TokenKind,
-    pub(super) at: usize,
+pub(crate) struct Open {
+    pub(crate) kind: TokenKind,
+    pub(crate) at: usize,
 }
 
 /// What stands before the cursor in its item.
-pub(super) struct Before<'a> {
+pub(crate) struct Before<'a> {
     text: &'a str,
     /// The tokens of the item up to the word, without trivia.
-    pub(super) tokens: Vec<Token>,
+    pub(crate) tokens: Vec<Token>,
     /// The brackets that are open at the word, outermost first.
-    pub(super) open: Vec<Open>,
+    pub(crate) open: Vec<Open>,
     /// The word around the cursor, or the empty place at it.
-    pub(super) word: Span,
+    pub(crate) word: Span,
     /// Whether a line ends between the last token and the word.
-    pub(super) new_line: bool,
+    pub(crate) new_line: bool,
     /// What follows the word.
-    pub(super) next: Option<TokenKind>,
+    pub(crate) next: Option<TokenKind>,
 }
 
 /// What the cursor is in.
-pub(super) enum Cursor<'a> {
+pub(crate) enum Cursor<'a> {
     /// Space, or a word.
     Code(Before<'a>),
     /// Right behind a number, or in its unit.
@@ -39,7 +39,7 @@ pub(super) enum Cursor<'a> {
 }
 
 /// What the cursor is in.
-pub(super) fn cursor(analysis: &Analysis, file: FileId, offset: u32) -> Option<Cursor<'_>> {
+pub(crate) fn cursor(analysis: &Analysis, file: FileId, offset: u32) -> Option<Cursor<'_>> {
     let parse = &analysis.files.iter().find(|parsed| parsed.file == file)?.parse;
     let text = &analysis.sources.get(file)?.text;
     let all = &parse.tokens;
@@ -106,27 +106,35 @@ fn begins_item(text: &str, all: &[Token], at: usize) -> bool {
     line.trim().is_empty() || keyword || matches!(next, Some(TokenKind::Name | TokenKind::Text))
 }
 
+/// What stands before a place, whatever it is in.
+pub(crate) fn up_to(analysis: &Analysis, file: FileId, offset: u32) -> Option<Before<'_>> {
+    let parse = &analysis.files.iter().find(|parsed| parsed.file == file)?.parse;
+    let text = &analysis.sources.get(file)?.text;
+    let count = parse.tokens.iter().take_while(|token| token.span.end <= offset).count();
+    Some(before(text, &parse.tokens, count, Span::new(file, offset, offset)))
+}
+
 impl Before<'_> {
-    pub(super) fn written(&self, at: usize) -> &str {
+    pub(crate) fn written(&self, at: usize) -> &str {
         self.tokens.get(at).and_then(|token| self.text.get(token.span.range())).unwrap_or("")
     }
 
     /// The `back`-th token before the word; 1 is the last.
-    pub(super) fn back(&self, back: usize) -> Option<TokenKind> {
+    pub(crate) fn back(&self, back: usize) -> Option<TokenKind> {
         Some(self.tokens.get(self.tokens.len().checked_sub(back)?)?.kind)
     }
 
-    pub(super) fn back_text(&self, back: usize) -> &str {
+    pub(crate) fn back_text(&self, back: usize) -> &str {
         self.tokens.len().checked_sub(back).map_or("", |at| self.written(at))
     }
 
     /// The word that begins the item, behind `pub`.
-    pub(super) fn item(&self) -> Option<TokenKind> {
+    pub(crate) fn item(&self) -> Option<TokenKind> {
         self.tokens.iter().map(|token| token.kind).find(|kind| *kind != TokenKind::Pub)
     }
 
     /// Whether what stands before the word could be the end of a value.
-    pub(super) fn after_value(&self) -> bool {
+    pub(crate) fn after_value(&self) -> bool {
         use TokenKind::*;
         let Some(last) = self.back(1) else { return false };
         match last {
@@ -146,13 +154,17 @@ impl Before<'_> {
     }
 
     /// The brackets that the item leaves open at the word, closed.
-    pub(super) fn closing(&self) -> String {
+    pub(crate) fn closing(&self) -> String {
         self.open.iter().rev().filter_map(|open| open.kind.closer()?.text()).collect()
     }
 
     /// The names before a colon in the innermost bracket, and how many commas it has.
-    pub(super) fn given(&self) -> (Vec<&str>, usize) {
-        let Some(open) = self.open.last() else { return (Vec::new(), 0) };
+    pub(crate) fn given(&self) -> (Vec<&str>, usize) {
+        self.open.last().map_or((Vec::new(), 0), |open| self.given_in(*open))
+    }
+
+    /// The same of an open bracket.
+    pub(crate) fn given_in(&self, open: Open) -> (Vec<&str>, usize) {
         let (mut names, mut commas, mut depth) = (Vec::new(), 0, 0usize);
         for at in open.at + 1..self.tokens.len() {
             let kind = self.tokens[at].kind;

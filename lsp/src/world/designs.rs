@@ -1,0 +1,178 @@
+//! Open documents as designs: reading them when something they are made of has changed, having them worked out, and what is
+//! wrong with them.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use ifs_compiler::analysis::{Analysis, read_indexed};
+use ifs_compiler::diagnostic::Diagnostic;
+use ifs_compiler::source::FileId;
+
+use super::background::{Background, Job, Worked};
+use super::documents::Edit;
+use super::edits::moved_diagnostic;
+use super::names::Names;
+use super::outbox::{Found, Wrong};
+use super::overlay::{Open, Overlay};
+use super::places::Places;
+use super::projects::{Project, Projects};
+use super::snapshot::Made;
+use super::worst::with_worst_boards;
+
+/// What is known of an open document as a design.
+pub(super) struct Design {
+    pub(super) places: Places,
+    pub(super) analysis: Arc<Analysis>,
+    /// The revision it was read at; none when something it is made of has changed since.
+    read_at: Option<u64>,
+    /// Whether its own text is still the one that was read.
+    pub(super) fresh: Arc<AtomicBool>,
+    pub(super) made: Option<Made>,
+    /// What was found by working it out that reading it did not find, moved with the edits since.
+    worked: Vec<Diagnostic>,
+}
+
+impl Design {
+    /// What is wrong with it as far as is known, by place.
+    pub(super) fn diagnostics(&self) -> Vec<Diagnostic> {
+        let mut all = self.analysis.diagnostics.clone();
+        if !self.analysis.has_errors() {
+            all.extend(self.worked.iter().cloned());
+            all.sort_by_key(|diagnostic| (diagnostic.span.file, diagnostic.span.start));
+        }
+        all
+    }
+
+    fn outdate(&mut self) {
+        self.read_at = None;
+        if let Some(made) = &mut self.made {
+            made.current = false;
+        }
+    }
+}
+
+/// The open documents that have been read.
+pub(super) struct Designs {
+    projects: Arc<dyn Projects>,
+    names: Names,
+    background: Background,
+    read: BTreeMap<PathBuf, Design>,
+}
+
+impl Designs {
+    pub(super) fn new(projects: Arc<dyn Projects>, names: Names, background: Background) -> Designs {
+        Designs { projects, names, background, read: BTreeMap::new() }
+    }
+
+    /// Forgets a design.
+    pub(super) fn forget(&mut self, path: &Path) {
+        self.background.forget(path);
+        if let Some(design) = self.read.remove(path) {
+            design.fresh.store(false, Ordering::Relaxed);
+        }
+    }
+
+    /// Files may be others now: every design is read anew.
+    pub(super) fn outdate_all(&mut self) {
+        for (path, design) in &mut self.read {
+            design.outdate();
+            self.background.forget(path);
+        }
+    }
+
+    /// A document has changed: designs that are made of it are read anew, and what was worked out of them moves.
+    pub(super) fn edited(&mut self, path: &Path, edits: &[Edit]) {
+        for (own, design) in &mut self.read {
+            let Some(file) = design.places.own_file(&design.analysis, path) else { continue };
+            for edit in edits {
+                design.worked.iter_mut().for_each(|diagnostic| moved_diagnostic(diagnostic, file, *edit));
+            }
+            design.outdate();
+            self.background.forget(own);
+            if own == path {
+                design.fresh.store(false, Ordering::Relaxed);
+            }
+        }
+    }
+
+    /// Reads a design unless it is read as it is now. `None` where its path cannot be one.
+    pub(super) fn read(&mut self, path: &Path, open: &Arc<Open>, revision: u64) -> Option<&Design> {
+        if self.read.get(path).is_none_or(|design| design.read_at.is_none()) {
+            let project = if path.is_absolute() {
+                self.projects.project(path)?
+            } else {
+                Project::nowhere(path.to_str()?)
+            };
+            let overlay = Overlay { project, open: Arc::clone(open) };
+            let analysis = read_indexed(&overlay, &overlay.project.design, &overlay.project.overrides);
+            self.put(path, overlay, analysis, revision);
+        }
+        self.read.get(path)
+    }
+
+    fn put(&mut self, path: &Path, overlay: Overlay, analysis: Analysis, revision: u64) {
+        let root = overlay.project.root.clone();
+        if !analysis.has_errors() {
+            let texts = analysis.files.iter().filter_map(|file| analysis.sources.get(file.file));
+            let bytes = texts.map(|source| source.text.len()).sum();
+            self.background.ask(path.to_owned(), Job { overlay, revision, bytes });
+        }
+        let old = self.read.remove(path);
+        let same_files = |old: &Design| {
+            let paths = |analysis: &Analysis| -> Vec<String> {
+                analysis.files.iter().map(|file| file.path.clone()).collect()
+            };
+            paths(&old.analysis) == paths(&analysis)
+        };
+        let kept = old.as_ref().is_some_and(same_files);
+        let (made, worked) = old.map_or((None, Vec::new()), |old| (old.made, old.worked));
+        let design = Design {
+            places: Places { root, projects: Arc::clone(&self.projects), names: self.names.clone() },
+            analysis: Arc::new(analysis),
+            read_at: Some(revision),
+            fresh: Arc::new(AtomicBool::new(true)),
+            made,
+            worked: if kept { worked } else { Vec::new() },
+        };
+        self.read.insert(path.to_owned(), design);
+    }
+
+    /// What the background has found; it is of no use where the text has changed since. Whether it was of use.
+    pub(super) fn worked(&mut self, path: &Path, worked: Worked) -> bool {
+        let Some(design) = self.read.get_mut(path) else { return false };
+        if design.read_at != Some(worked.revision) {
+            return false;
+        }
+        let Worked { analysis, .. } = worked;
+        let read = &design.analysis.diagnostics;
+        let found = analysis.diagnostics.iter().filter(|found| !read.contains(found));
+        design.worked = found.map(|found| with_worst_boards(found.clone(), &analysis)).collect();
+        if analysis.plan.is_some() {
+            design.made = Some(Made { analysis, current: true });
+        }
+        true
+    }
+
+    /// What is wrong, file by file; every open document is named.
+    pub(super) fn wrong(&self, open: &Open) -> BTreeMap<PathBuf, Wrong> {
+        let named = |path: &PathBuf| {
+            let version = open.get(path).map(|document| document.version);
+            (path.clone(), Wrong { version, found: Vec::new() })
+        };
+        let mut wrong: BTreeMap<PathBuf, Wrong> = open.keys().map(named).collect();
+        for design in self.read.values() {
+            let mut files: BTreeMap<FileId, Vec<Diagnostic>> = BTreeMap::new();
+            for diagnostic in design.diagnostics() {
+                files.entry(diagnostic.span.file).or_default().push(diagnostic);
+            }
+            for (file, diagnostics) in files {
+                let Some(path) = design.places.path(&design.analysis, file) else { continue };
+                let (places, analysis) = (design.places.clone(), Arc::clone(&design.analysis));
+                wrong.entry(path).or_default().found.push(Found { places, analysis, diagnostics });
+            }
+        }
+        wrong
+    }
+}
