@@ -3,8 +3,12 @@
 
 mod actions;
 mod answers;
+mod completions;
 mod diagnostics;
+mod hierarchy;
 mod publish;
+mod shown;
+mod tokens;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -40,6 +44,7 @@ pub(crate) struct Backend {
     settings: OnceLock<publish::Told>,
     folders: Mutex<Vec<PathBuf>>,
     workspace: diagnostics::Workspace,
+    tokens: tokens::Told,
 }
 
 /// Ends work that was not begun yet when its request is cancelled.
@@ -71,6 +76,7 @@ impl Backend {
             settings: OnceLock::new(),
             folders: Mutex::default(),
             workspace: diagnostics::Workspace::default(),
+            tokens: tokens::Told::default(),
         }
     }
 
@@ -181,7 +187,20 @@ impl LanguageServer for Backend {
         let watches = workspace
             .and_then(|workspace| workspace.did_change_watched_files.as_ref())
             .is_some_and(|watched| watched.dynamic_registration == Some(true));
-        let _ = self.settings.set(publish::Told { encoding, pulls, takes_related, watches });
+        let completes = params.capabilities.text_document.as_ref().and_then(|it| it.completion.as_ref());
+        let snippets = completes
+            .and_then(|completes| completes.completion_item.as_ref())
+            .is_some_and(|item| item.snippet_support == Some(true));
+        let refreshed = publish::Refreshed {
+            hints: workspace
+                .and_then(|workspace| workspace.inlay_hint.as_ref())
+                .is_some_and(|hints| hints.refresh_support == Some(true)),
+            lenses: workspace
+                .and_then(|workspace| workspace.code_lens.as_ref())
+                .is_some_and(|lenses| lenses.refresh_support == Some(true)),
+        };
+        let told = publish::Told { encoding, pulls, takes_related, watches, snippets, refreshed };
+        let _ = self.settings.set(told);
         #[allow(deprecated, reason = "older clients say no other")]
         let root = params.root_uri.into_iter();
         let folders = params.workspace_folders.unwrap_or_default().into_iter().map(|folder| folder.uri);
@@ -193,7 +212,7 @@ impl LanguageServer for Backend {
             publish::end_with(parent);
         }
         Ok(InitializeResult {
-            capabilities: capabilities(encoding, pulls),
+            capabilities: capabilities(encoding, pulls, tokens::legend()),
             server_info: Some(ServerInfo {
                 name: "ifs".to_owned(),
                 version: Some(env!("CARGO_PKG_VERSION").to_owned()),
@@ -239,6 +258,7 @@ impl LanguageServer for Backend {
     async fn did_close(&self, params: DidCloseTextDocumentParams) {
         let uri = params.text_document.uri;
         self.tell(Message::Close { path: path_of(&self.names, &uri) });
+        self.tokens.forget(uri.as_str());
         self.names.closed(uri.as_str());
     }
 
@@ -342,6 +362,109 @@ impl LanguageServer for Backend {
             Some(actions::actions(snapshot, range, only.as_deref()))
         })
         .await
+    }
+
+    async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
+        let (at, snippets) = (params.text_document_position, self.told().snippets);
+        let read = move |snapshot: &Snapshot| completions::completion(snapshot, at.position, snippets);
+        self.ask(&at.text_document.uri, read).await
+    }
+
+    async fn completion_resolve(&self, item: CompletionItem) -> Result<CompletionItem> {
+        beside(move || completions::resolve(item)).await
+    }
+
+    async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
+        let at = params.text_document_position_params;
+        self.ask(&at.text_document.uri, move |snapshot| completions::signature(snapshot, at.position)).await
+    }
+
+    async fn semantic_tokens_full(
+        &self,
+        params: SemanticTokensParams,
+    ) -> Result<Option<SemanticTokensResult>> {
+        let uri = params.text_document.uri;
+        let found = self.ask(&uri, |snapshot| tokens::tokens(snapshot, None)).await?;
+        Ok(Some(self.tokens.whole(uri.as_str(), found).into()))
+    }
+
+    async fn semantic_tokens_full_delta(
+        &self,
+        params: SemanticTokensDeltaParams,
+    ) -> Result<Option<SemanticTokensFullDeltaResult>> {
+        let uri = params.text_document.uri;
+        let found = self.ask(&uri, |snapshot| tokens::tokens(snapshot, None)).await?;
+        Ok(Some(self.tokens.changed(uri.as_str(), &params.previous_result_id, found)))
+    }
+
+    async fn semantic_tokens_range(
+        &self,
+        params: SemanticTokensRangeParams,
+    ) -> Result<Option<SemanticTokensRangeResult>> {
+        let range = params.range;
+        let read = move |snapshot: &Snapshot| tokens::tokens(snapshot, Some(range));
+        let data = self.ask(&params.text_document.uri, read).await?;
+        Ok(Some(SemanticTokens { result_id: None, data }.into()))
+    }
+
+    async fn inlay_hint(&self, params: InlayHintParams) -> Result<Option<Vec<InlayHint>>> {
+        let range = params.range;
+        self.ask(&params.text_document.uri, move |snapshot| Some(shown::hints(snapshot, range))).await
+    }
+
+    async fn code_lens(&self, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
+        let uri = params.text_document.uri;
+        self.ask(&uri.clone(), move |snapshot| Some(shown::lenses(snapshot, &uri))).await
+    }
+
+    async fn folding_range(&self, params: FoldingRangeParams) -> Result<Option<Vec<FoldingRange>>> {
+        self.ask(&params.text_document.uri, |snapshot| Some(shown::folding(snapshot))).await
+    }
+
+    async fn selection_range(&self, params: SelectionRangeParams) -> Result<Option<Vec<SelectionRange>>> {
+        let positions = params.positions;
+        self.ask(&params.text_document.uri, move |snapshot| Some(shown::selections(snapshot, &positions)))
+            .await
+    }
+
+    async fn range_formatting(&self, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+        let range = params.range;
+        self.ask(&params.text_document.uri, move |snapshot| shown::format_part(snapshot, range)).await
+    }
+
+    async fn symbol(&self, params: WorkspaceSymbolParams) -> Result<Option<WorkspaceSymbolResponse>> {
+        let (reply, moment) = oneshot::channel();
+        self.tell(Message::AskMoment(reply));
+        let moment = moment.await.map_err(|_| failed())?;
+        let (projects, names, folders) =
+            (Arc::clone(&self.projects), self.names.clone(), self.folders().clone());
+        let find = move || hierarchy::symbols(&projects, &names, &folders, &moment, &params.query);
+        Ok(Some(WorkspaceSymbolResponse::Nested(beside(find).await?)))
+    }
+
+    async fn prepare_call_hierarchy(
+        &self,
+        params: CallHierarchyPrepareParams,
+    ) -> Result<Option<Vec<CallHierarchyItem>>> {
+        let at = params.text_document_position_params;
+        let uri = at.text_document.uri;
+        self.ask(&uri.clone(), move |snapshot| hierarchy::prepare(snapshot, at.position, &uri)).await
+    }
+
+    async fn incoming_calls(
+        &self,
+        params: CallHierarchyIncomingCallsParams,
+    ) -> Result<Option<Vec<CallHierarchyIncomingCall>>> {
+        let Some(uri) = hierarchy::document(&params.item) else { return Ok(None) };
+        self.ask(&uri, move |snapshot| hierarchy::incoming(snapshot, &params.item)).await
+    }
+
+    async fn outgoing_calls(
+        &self,
+        params: CallHierarchyOutgoingCallsParams,
+    ) -> Result<Option<Vec<CallHierarchyOutgoingCall>>> {
+        let Some(uri) = hierarchy::document(&params.item) else { return Ok(None) };
+        self.ask(&uri, move |snapshot| hierarchy::outgoing(snapshot, &params.item)).await
     }
 
     async fn document_link(&self, params: DocumentLinkParams) -> Result<Option<Vec<DocumentLink>>> {

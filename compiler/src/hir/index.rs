@@ -2,11 +2,16 @@
 //! the type of every expression, broken items too. The checker fills it while it resolves names, so that an editor never
 //! resolves a second time. What an editor makes of it lives in its features.
 
+mod names;
+
+pub use names::{Known, ModuleNames, Origin, Parameter, Visible};
+
 use super::native::Native;
 use super::schema::{ChoiceKind, Measure, SchemaKind};
 use super::tree::ItemId;
 use super::types::Type;
 use crate::source::{FileId, Span};
+use std::collections::BTreeSet;
 
 /// What is known of the names and expressions of a design.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +22,12 @@ pub struct Index {
     pub declarations: Vec<Declaration>,
     /// Every expression with its type, by file and start, outer before inner, after [`Index::sort`].
     pub types: Vec<(Span, Type)>,
+    /// Every expression of which its place would like a type, with that type, in the order they were checked.
+    pub expected: Vec<(Span, Type)>,
+    /// The names of each file: those of the project first.
+    pub modules: Vec<ModuleNames>,
+    /// The records that say what a board is made of.
+    pub materials: BTreeSet<ItemId>,
 }
 
 /// A name in the text, and what it stands for.
@@ -88,11 +99,15 @@ impl Index {
         self.references.sort_by_key(|reference| (place(&reference.span), reference.target));
         self.references.dedup();
         self.declarations.sort_by_key(|declaration| place(&declaration.span));
-        // An item is declared before it is checked, and once more with its type.
+        // An item is declared before its type is known, a parameter before what it can be named in.
         self.declarations.dedup_by(|later, earlier| {
             let same = later.span == earlier.span;
             if same {
-                std::mem::swap(later, earlier);
+                earlier.kind = later.kind;
+                earlier.scope = later.scope.or(earlier.scope);
+                if later.ty != Type::Error {
+                    earlier.ty = later.ty.clone();
+                }
             }
             same
         });

@@ -2,7 +2,7 @@
 //! doc comments. How it is printed is the caller's business, but for the one page of all.
 
 use super::library::LIBRARY;
-use super::native::{NativeDeclaration, Takes, natives};
+use super::native::{Native, NativeDeclaration, NativeParameter, Takes, natives};
 use super::native_docs::native_docs;
 use super::types::Type;
 use crate::source::{FileId, Source};
@@ -117,6 +117,16 @@ pub fn native_item_docs(declaration: &NativeDeclaration) -> ItemDocs {
         docs.push("```".to_owned());
     }
     ItemDocs { name: declaration.name.to_owned(), signature, docs }
+}
+
+/// What a function of the program gives, as its signature says it: a type, or the word for one.
+pub fn native_result(native: Native) -> Option<&'static str> {
+    native_docs(native).map(|(gives, _)| gives)
+}
+
+/// What a parameter of a function of the program takes, as its signature says it.
+pub fn native_parameter(parameter: &NativeParameter) -> String {
+    takes(parameter.takes)
 }
 
 /// A phrase as a sentence.

@@ -21,4 +21,7 @@ pub mod value;
 
 pub use check::{Checked, ImportedMesh, ModuleSource, check, check_indexed};
 pub use library::{LIBRARY, library_text};
-pub use library_docs::{ItemDocs, ModuleDocs, item_docs, library_docs, library_page, native_item_docs};
+pub use library_docs::{
+    ItemDocs, ModuleDocs, item_docs, library_docs, library_page, native_item_docs, native_parameter,
+    native_result,
+};

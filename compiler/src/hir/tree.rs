@@ -250,6 +250,15 @@ pub enum Made {
     Vertices,
 }
 
+impl Made {
+    /// All of them with their words, each with one line for people.
+    pub const ALL: [(&'static str, Made, &'static str); 3] = [
+        ("boards", Made::Boards, "the boards or planks that are made of it"),
+        ("elements", Made::Elements, "how many elements it has"),
+        ("vertices", Made::Vertices, "how many vertices it has, joined ones counted once"),
+    ];
+}
+
 /// A boundary of an ifs: another ifs on points of this one.
 #[derive(Clone, Debug)]
 pub struct Boundary {

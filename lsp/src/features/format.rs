@@ -1,8 +1,9 @@
-//! The layout of `ifs fmt`, as the smallest edits of whole lines.
+//! The layout of `ifs fmt`, as the smallest edits of whole lines; and of a part of a file, item by item.
 
 use ifs_compiler::analysis::Analysis;
-use ifs_compiler::source::{FileId, Span};
+use ifs_compiler::source::{FileId, Source, Span};
 use ifs_compiler::syntax::format::format;
+use ifs_compiler::syntax::parse;
 
 /// The edits that lay a file out; `None` where it cannot be, since it is broken.
 pub(crate) fn edits(analysis: &Analysis, file: FileId) -> Option<Vec<(Span, String)>> {
@@ -26,4 +27,58 @@ fn line_edits(file: FileId, old: &str, new: &str) -> Vec<(Span, String)> {
     let length: usize = before[same..before.len() - end].iter().map(|line| line.len()).sum();
     let span = Span::new(file, start as u32, (start + length) as u32);
     vec![(span, after[same..after.len() - end].concat())]
+}
+
+/// The edits that lay out the items that a part of a file touches, as they are in the whole laid out.
+pub(crate) fn part_edits(analysis: &Analysis, part: Span) -> Option<Vec<(Span, String)>> {
+    let parsed = analysis.files.iter().find(|candidate| candidate.file == part.file)?;
+    let source = analysis.sources.get(part.file)?;
+    let laid_out = Source::new(part.file, source.path.clone(), format(&parsed.parse, source)?);
+    let after = parse(&laid_out).ast.items;
+    let before = &parsed.parse.ast.items;
+    // Layout neither adds items nor takes them away.
+    if before.len() != after.len() {
+        return None;
+    }
+    let touched = before
+        .iter()
+        .zip(&after)
+        .filter(|(item, _)| item.span.start <= part.end && part.start <= item.span.end);
+    let edits = touched.filter_map(|(old, new)| {
+        let text = laid_out.slice(new.span);
+        (source.slice(old.span) != text).then(|| (old.span, text.to_owned()))
+    });
+    Some(edits.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::features::fixture::fixture;
+
+    #[test]
+    fn a_part_is_laid_out_like_the_whole() {
+        let text = "let a   = 1\nlet b =  [1,\n2]\nfn f( i : Int )->Int=i\n";
+        let design = fixture(text);
+        let root = design.analysis.root;
+        let edits = part_edits(&design.analysis, Span::new(root, 14, 16)).unwrap();
+        assert_eq!(edits.len(), 1);
+        assert_eq!(text.get(edits[0].0.range()).unwrap(), "let b =  [1,\n2]");
+        let all = part_edits(&design.analysis, Span::new(root, 0, text.len() as u32)).unwrap();
+        let mut laid_out = text.to_owned();
+        for (span, new) in all.iter().rev() {
+            laid_out.replace_range(span.range(), new);
+        }
+        let whole = edits_applied(text, &super::edits(&design.analysis, root).unwrap());
+        assert_eq!(laid_out, whole);
+        assert_eq!(part_edits(&fixture("let = (").analysis, Span::new(root, 0, 3)), None);
+    }
+
+    fn edits_applied(text: &str, edits: &[(Span, String)]) -> String {
+        let mut text = text.to_owned();
+        for (span, new) in edits.iter().rev() {
+            text.replace_range(span.range(), new);
+        }
+        text
+    }
 }

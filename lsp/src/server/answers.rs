@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
 
 use ifs_compiler::analysis::{Analysis, read_indexed};
-use ifs_compiler::hir::index::Target;
+use ifs_compiler::hir::index::{DeclarationKind, Target};
 use ifs_compiler::source::Span;
 use tower_lsp::ls_types::*;
 
@@ -39,7 +39,7 @@ pub(super) fn type_definition(snapshot: &Snapshot, position: Position) -> Option
 }
 
 /// The designs of the project that may use what this one declares, read with their indexes: this one first.
-fn project(snapshot: &Snapshot) -> Vec<(Places, Option<Analysis>)> {
+pub(super) fn project(snapshot: &Snapshot) -> Vec<(Places, Option<Analysis>)> {
     let mut all = vec![(snapshot.places.clone(), None)];
     let projects = &snapshot.places.projects;
     let mut paths: BTreeSet<PathBuf> = projects.designs(&snapshot.places.root).into_iter().collect();
@@ -90,7 +90,12 @@ fn everywhere(
     spans: impl Fn(&Analysis, Span) -> Result<Vec<Span>, String>,
 ) -> Result<Vec<Place>, String> {
     let home = snapshot.places.path(&snapshot.analysis, declared.file).unwrap_or_default();
-    let local = snapshot.analysis.index.declaration(declared).is_some_and(|found| found.scope.is_some());
+    // A parameter can be named in calls from other files.
+    let local = snapshot
+        .analysis
+        .index
+        .declaration(declared)
+        .is_some_and(|found| found.scope.is_some() && !matches!(found.kind, DeclarationKind::Field(..)));
     let all = if local { vec![(snapshot.places.clone(), None)] } else { project(snapshot) };
     let mut found = Vec::new();
     for (places, analysis) in &all {
@@ -160,9 +165,9 @@ pub(super) fn rename(snapshot: &Snapshot, position: Position, new: &str) -> Resu
     Ok(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() })
 }
 
-fn symbol(snapshot: &Snapshot, found: symbols::Symbol) -> DocumentSymbol {
+pub(super) fn symbol_kind(kind: symbols::SymbolKind) -> SymbolKind {
     use symbols::SymbolKind as Kind;
-    let kind = match found.kind {
+    match kind {
         Kind::Parameter => SymbolKind::CONSTANT,
         Kind::Value | Kind::Point => SymbolKind::VARIABLE,
         Kind::Function => SymbolKind::FUNCTION,
@@ -176,7 +181,11 @@ fn symbol(snapshot: &Snapshot, found: symbols::Symbol) -> DocumentSymbol {
         Kind::Setting => SymbolKind::PROPERTY,
         Kind::Requirement => SymbolKind::EVENT,
         Kind::Test => SymbolKind::METHOD,
-    };
+    }
+}
+
+fn symbol(snapshot: &Snapshot, found: symbols::Symbol) -> DocumentSymbol {
+    let kind = symbol_kind(found.kind);
     let parts: Vec<DocumentSymbol> = found.parts.into_iter().map(|part| symbol(snapshot, part)).collect();
     #[allow(deprecated, reason = "the field must be given")]
     DocumentSymbol {

@@ -24,6 +24,30 @@ pub(crate) struct Told {
     pub(crate) takes_related: bool,
     /// It can watch files.
     pub(crate) watches: bool,
+    /// It fills in the places of snippets.
+    pub(crate) snippets: bool,
+    /// What it asks for again when it is told to.
+    pub(crate) refreshed: Refreshed,
+}
+
+/// What a client asks for again when it is told to.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Refreshed {
+    pub(crate) hints: bool,
+    pub(crate) lenses: bool,
+}
+
+/// What stands beside the text was worked out anew. Their answers say nothing, and may take their time.
+fn refresh(client: &Client, refreshed: Refreshed) {
+    let client = client.clone();
+    tokio::spawn(async move {
+        if refreshed.hints {
+            let _ = client.inlay_hint_refresh().await;
+        }
+        if refreshed.lenses {
+            let _ = client.code_lens_refresh().await;
+        }
+    });
 }
 
 /// Tells the client what is new, as fast as it takes it.
@@ -34,6 +58,9 @@ pub(crate) async fn publish(client: Client, outbox: Outbox, told: Told, names: N
         let news = outbox.take().await;
         for words in news.failures {
             client.log_message(MessageType::ERROR, words).await;
+        }
+        if news.pull_again {
+            refresh(&client, told.refreshed);
         }
         if told.pulls {
             if news.pull_again {

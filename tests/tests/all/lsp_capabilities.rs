@@ -70,6 +70,11 @@ const fn row(
     Row { capability, method, before, more: nothing_more, is_real }
 }
 
+/// The lines of the design up to its first figure.
+fn some_lines() -> Value {
+    json!({ "range": { "start": { "line": 5, "character": 0 }, "end": { "line": 9, "character": 0 } } })
+}
+
 const ROWS: &[Row] = &[
     row("/hoverProvider", "textDocument/hover", "let hei", |it| says(&it["contents"], "Length")),
     row("/definitionProvider", "textDocument/definition", "figure arch = ri", |it| {
@@ -99,6 +104,70 @@ const ROWS: &[Row] = &[
             count(it) > 0 && says(it, "bspline3") && it[0]["edit"].is_object()
         })
     },
+    row("/completionProvider", "textDocument/completion", "let height = w", |it| {
+        it[0]["label"] == "width" || says(it, "\"label\":\"width\"")
+    }),
+    Row {
+        more: || json!({ "label": "bezier3", "data": { "module": "std.curves", "name": "bezier3" } }),
+        ..row("/completionProvider/resolveProvider", "completionItem/resolve", "", |it| {
+            says(&it["documentation"], "Bézier")
+        })
+    },
+    row("/signatureHelpProvider", "textDocument/signatureHelp", "figure arch = rib(", |it| {
+        it["activeParameter"] == 0 && says(&it["signatures"], "height: Length")
+    }),
+    row("/semanticTokensProvider/full", "textDocument/semanticTokens/full", "", |it| {
+        count(&it["data"]) > 100
+    }),
+    Row {
+        more: || json!({ "previousResultId": "1" }),
+        ..row("/semanticTokensProvider/full/delta", "textDocument/semanticTokens/full/delta", "", |it| {
+            it["edits"].is_array()
+        })
+    },
+    Row {
+        more: some_lines,
+        ..row("/semanticTokensProvider/range", "textDocument/semanticTokens/range", "", |it| {
+            (5..200).contains(&count(&it["data"]))
+        })
+    },
+    Row {
+        more: some_lines,
+        ..row("/inlayHintProvider", "textDocument/inlayHint", "", |it| says(it, ": Length"))
+    },
+    row("/codeLensProvider", "textDocument/codeLens", "", |it| {
+        says(it, "ifs.build") && says(it, "ifs.showReport")
+    }),
+    row("/foldingRangeProvider", "textDocument/foldingRange", "", |it| says(it, "imports")),
+    Row {
+        more: || json!({ "positions": [{ "line": 7, "character": 6 }] }),
+        ..row("/selectionRangeProvider", "textDocument/selectionRange", "", |it| {
+            it[0]["parent"]["range"].is_object()
+        })
+    },
+    Row {
+        more: || {
+            let mut more = some_lines();
+            more["options"] = json!({ "tabSize": 4, "insertSpaces": true });
+            more
+        },
+        ..row("/documentRangeFormattingProvider", "textDocument/rangeFormatting", "", |it| {
+            says(it, "width / 2")
+        })
+    },
+    Row {
+        more: || json!({ "query": "rib" }),
+        ..row("/workspaceSymbolProvider", "workspace/symbol", "", |it| says(it, "ribs.ifs"))
+    },
+    row("/callHierarchyProvider", "textDocument/prepareCallHierarchy", "figure arch = ri", |it| {
+        it[0]["name"] == "rib" && says(&it[0]["uri"], "ribs.ifs")
+    }),
+    row("/callHierarchyProvider", "callHierarchy/incomingCalls", "figure arch = ri", |it| {
+        count(it) == 1 && it[0]["from"]["name"] == "arch"
+    }),
+    row("/callHierarchyProvider", "callHierarchy/outgoingCalls", "figure arch = ri", |it| {
+        it[0]["to"]["name"] == "bezier3"
+    }),
     row("/documentLinkProvider", "textDocument/documentLink", "", |it| {
         says(it, "ribs.ifs") && says(it, "curves.ifs")
     }),
@@ -227,6 +296,10 @@ fn ask(client: &mut Client, uri: &str, row: &Row) -> Result<Value, Refused> {
     }
     for (name, value) in (row.more)().as_object().unwrap() {
         params[name] = value.clone();
+    }
+    // Calls are asked of an item that was prepared.
+    if row.method.starts_with("callHierarchy/") {
+        params["item"] = client.request("textDocument/prepareCallHierarchy", params.clone())?[0].clone();
     }
     client.request(row.method, params)
 }

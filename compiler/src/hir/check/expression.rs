@@ -17,6 +17,7 @@ impl Checker<'_> {
     pub(super) fn expr(&mut self, frame: &mut Frame, value: &ast::Expr, expected: Option<&Type>) -> Expr {
         let typed = stacker::maybe_grow(128 * 1024, 1024 * 1024, || self.expr_here(frame, value, expected));
         self.note_type(value.span, &typed.ty);
+        self.note_expected(value.span, expected);
         typed
     }
 

@@ -155,7 +155,8 @@ impl<'a> Checker<'a> {
         self.modules[module].file
     }
 
-    fn finish(self) -> Checked {
+    fn finish(mut self) -> Checked {
+        self.note_modules();
         let root = self.modules.first().map_or(FileId(0), |module| module.file);
         let library = self.modules.iter().filter(|module| module.is_library());
         let library = library.map(|module| module.file).collect();

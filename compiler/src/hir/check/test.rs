@@ -8,10 +8,6 @@ use crate::hir::types::Type;
 use crate::source::Span;
 use crate::syntax::ast;
 
-/// What can be asked of a figure.
-const MADE: &[(&str, Made)] =
-    &[("boards", Made::Boards), ("elements", Made::Elements), ("vertices", Made::Vertices)];
-
 fn step_end(step: &ast::TestStep) -> u32 {
     match step {
         ast::TestStep::Let(value) => value.value.span.end,
@@ -63,7 +59,8 @@ impl Checker<'_> {
             Type::List(element) => element.is_figure(),
             ty => ty.is_figure(),
         };
-        let (_, made) = MADE.iter().copied().find(|(known, _)| *known == name.text).filter(|_| figure)?;
+        let known = Made::ALL.into_iter().find(|(known, _, _)| *known == name.text);
+        let (_, made, _) = known.filter(|_| figure)?;
         let item = match base.kind {
             ExprKind::Global(id) if self.is_figure_item(id) => id,
             _ => {

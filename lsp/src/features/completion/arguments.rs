@@ -1,0 +1,45 @@
+//! Names of arguments in a call: those not given yet.
+
+use ifs_compiler::hir::index::Target;
+use ifs_compiler::hir::native_parameter;
+use ifs_compiler::hir::type_names::type_name;
+use ifs_compiler::source::Span;
+
+use super::{Kind, Known, Offer};
+
+/// The parameters of what is called by the name at `callee` that have no argument yet.
+pub(super) fn labels(known: &Known<'_>, callee: Span) -> Vec<Offer> {
+    let Some(called) = known.index().name_at(callee.file, callee.start) else { return Vec::new() };
+    let parameters: Vec<(String, String, bool)> = match called.target {
+        Target::Native(native) => {
+            let declared = native.declaration().parameters.iter();
+            declared
+                .map(|parameter| (parameter.name.to_owned(), native_parameter(parameter), parameter.required))
+                .collect()
+        }
+        target => {
+            let parameters = known.index().parameters(target).unwrap_or_default().iter();
+            let ty = |ty| type_name(&known.hir().items, ty);
+            parameters
+                .map(|parameter| (parameter.name.clone(), ty(&parameter.ty), parameter.required))
+                .collect()
+        }
+    };
+    let (named, commas) = known.before.given();
+    let by_place = commas.saturating_sub(named.len());
+    let open = parameters
+        .into_iter()
+        .enumerate()
+        .filter(|(place, (name, ..))| *place >= by_place && !named.contains(&name.as_str()));
+    let labelled = known.before.next.is_some_and(|next| next.text() == Some(":"));
+    open.map(|(place, (name, ty, required))| {
+        let what = if required { "" } else { " (may be left out)" };
+        let snippet = if labelled { name.clone() } else { format!("{name}: $0") };
+        Offer::new(&format!("{name}:"), Kind::Field)
+            .detail(format!("{ty}{what}"))
+            .snippet(snippet)
+            // The first argument is most often given by its place.
+            .rank(if commas == 0 && place == 0 { 25 } else { 5 + u8::from(!required) })
+    })
+    .collect()
+}

@@ -1,0 +1,157 @@
+//! Settings and requirements of fabricate blocks, and fields in braces: those not given yet.
+
+use ifs_compiler::hir::index::Target;
+use ifs_compiler::hir::schema::{Measure, SchemaKind, Setting, SettingType};
+use ifs_compiler::hir::size::SizeMeasure;
+use ifs_compiler::hir::type_names::type_name;
+use ifs_compiler::hir::types::Type;
+use ifs_compiler::source::Span;
+
+use super::snippets::escaped;
+use super::{Kind, Known, Offer};
+use crate::features::words::written;
+
+/// What a figure can be fabricated as.
+pub(super) fn kinds() -> Vec<Offer> {
+    vec![
+        Offer::new("panels", Kind::Keyword).detail("flat boards, one for each quad of a surface"),
+        Offer::new("planks", Kind::Keyword).detail("straight planks, one for each segment of a curve"),
+    ]
+}
+
+/// What a level can be found by.
+pub(super) fn sizes() -> Vec<Offer> {
+    let sizes = SizeMeasure::ALL.into_iter();
+    sizes
+        .map(|size| Offer::new(size.word(), Kind::Measure).snippet(format!("{} <= ${{1:20mm}}", size.word())))
+        .collect()
+}
+
+/// What such a block can require.
+pub(super) fn measures(kind: Option<SchemaKind>) -> Vec<Offer> {
+    let all = Measure::ALL.into_iter().enumerate();
+    let fitting = all.filter(|(_, measure)| kind.is_none_or(|kind| measure.applies_to(kind)));
+    fitting
+        .map(|(place, measure)| {
+            let (words, example) = (measure.words(), measure.example());
+            Offer::new(words, Kind::Measure)
+                .detail(measure.dimension().name())
+                .docs(format!("```ifs\nrequire {words} {example}\n```"))
+                .snippet(format!("{words} ${{1:{}}}", escaped(example)))
+                .rank(place as u8)
+        })
+        .collect()
+}
+
+/// The settings of a fabricate block that are not given yet, and `require`.
+pub(super) fn entries(known: &Known<'_>, kind: Option<SchemaKind>) -> Vec<Offer> {
+    let kinds = kind.map_or(vec![SchemaKind::Panels, SchemaKind::Planks], |kind| vec![kind]);
+    let mut settings: Vec<Setting> = kinds.iter().flat_map(|kind| kind.settings()).collect();
+    settings.sort_by_key(|setting| !setting.required);
+    let mut names = std::collections::BTreeSet::new();
+    settings.retain(|setting| names.insert(setting.name));
+    let given = given(known);
+    let mut offers = missing(known, settings, &given);
+    let require = Offer::new("require", Kind::Keyword).detail("what the compiler checks of every board");
+    offers.push(require.snippet("require $0").rank(50));
+    offers
+}
+
+/// The settings that the block around has, before and behind the cursor.
+fn given(known: &Known<'_>) -> Vec<String> {
+    let (before, _) = known.before.given();
+    let mut given: Vec<String> = before.into_iter().map(str::to_owned).collect();
+    let file = known.read.files.iter().find(|file| file.file == known.name.file);
+    let around = file
+        .into_iter()
+        .flat_map(|file| &file.parse.ast.items)
+        .find(|item| item.span.start <= known.name.start && known.name.end <= item.span.end);
+    if let Some(ifs_compiler::syntax::ast::ItemKind::Fabricate(block)) = around.map(|item| &item.kind) {
+        given.extend(block.entries.iter().filter_map(|entry| match &entry.kind {
+            ifs_compiler::syntax::ast::EntryKind::Setting(name, _) if name.span != known.name => {
+                Some(name.text.clone())
+            }
+            _ => None,
+        }));
+    }
+    given
+}
+
+fn missing(known: &Known<'_>, settings: Vec<Setting>, given: &[String]) -> Vec<Offer> {
+    let missing = settings.into_iter().filter(|setting| !given.iter().any(|given| given == setting.name));
+    missing
+        .enumerate()
+        .map(|(place, setting)| {
+            let ty = match &setting.ty {
+                SettingType::Of(ty) => type_name(&known.hir().items, ty),
+                SettingType::Library(record) => (*record).to_owned(),
+            };
+            let needed = if setting.required { "needed" } else { "may be left out" };
+            let value = match &setting.ty {
+                SettingType::Of(Type::Settings(_)) => "{ $0 }",
+                SettingType::Of(Type::Size) => "${1:2500mm} by ${2:1250mm}",
+                _ => "$0",
+            };
+            Offer::new(setting.name, Kind::Field)
+                .detail(ty)
+                .docs(format!("{}; {needed}", setting.doc))
+                .snippet(format!("{}: {value}", setting.name))
+                .rank(place as u8)
+        })
+        .collect()
+}
+
+/// The fields of what stands in braces behind a label, that are not given yet.
+pub(super) fn fields(known: &Known<'_>, label: Span) -> Vec<Offer> {
+    let (given, _) = known.before.given();
+    let given: Vec<String> = given.into_iter().map(str::to_owned).collect();
+    let named = known.index().name_at(label.file, label.start);
+    let setting = match named.map(|name| name.target) {
+        Some(Target::Setting(kind, name)) => kind.setting(name).map(|setting| setting.ty),
+        Some(Target::Declared(span)) => {
+            known.index().declaration(span).map(|declared| SettingType::Of(declared.ty.clone()))
+        }
+        // A block that is too broken to be read still has its label.
+        _ => by_label(known, written(known.analysis, label)),
+    };
+    match setting {
+        Some(SettingType::Of(Type::Settings(kind))) => missing(known, kind.settings(), &given),
+        Some(SettingType::Of(Type::Record(id))) => {
+            let name = known.hir().item(id).name_span;
+            record(known, known.index().parameters(Target::Declared(name)), &given)
+        }
+        Some(SettingType::Library(record_name)) => {
+            let public = known.index().modules.iter().filter(|module| module.library);
+            let found = public.flat_map(|module| &module.public).find(|public| public.name == record_name);
+            record(known, found.and_then(|found| found.parameters.as_deref()), &given)
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn by_label(known: &Known<'_>, label: &str) -> Option<SettingType> {
+    let at = known.before.tokens.iter().position(|token| token.kind.text() == Some("{"))?;
+    let kind = match known.before.written(at.checked_sub(1)?) {
+        "panels" => SchemaKind::Panels,
+        "planks" => SchemaKind::Planks,
+        _ => return None,
+    };
+    kind.setting(label).map(|setting| setting.ty)
+}
+
+fn record(
+    known: &Known<'_>,
+    fields: Option<&[ifs_compiler::hir::index::Parameter]>,
+    given: &[String],
+) -> Vec<Offer> {
+    let fields = fields.unwrap_or_default().iter().filter(|field| !given.contains(&field.name));
+    fields
+        .enumerate()
+        .map(|(place, field)| {
+            Offer::new(&field.name, Kind::Field)
+                .detail(type_name(&known.hir().items, &field.ty))
+                .snippet(format!("{}: $0", field.name))
+                .rank(place as u8 + if field.required { 0 } else { 100 })
+        })
+        .collect()
+}

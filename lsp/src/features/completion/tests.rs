@@ -1,0 +1,199 @@
+use super::*;
+use crate::features::fixture::{fixture, with_files};
+
+fn offers(text: &str) -> Vec<Offer> {
+    let design = fixture(text);
+    let paths = ["design.ifs", "parts/ribs.ifs", "joint.glb"].map(str::to_owned);
+    completion(&design.analysis, design.analysis.root, design.at, &paths)
+        .map_or(Vec::new(), |found| found.offers)
+}
+
+fn labels(text: &str) -> Vec<String> {
+    offers(text).into_iter().map(|offer| offer.label).collect()
+}
+
+/// The first labels are these.
+#[track_caller]
+fn first(text: &str, expected: &str) {
+    let labels = labels(text);
+    let count = expected.split(' ').filter(|word| !word.is_empty()).count();
+    assert_eq!(labels.iter().take(count.max(1)).cloned().collect::<Vec<_>>().join(" "), expected, "{text}");
+}
+
+/// These are among the labels, and those are not.
+#[track_caller]
+fn has(text: &str, expected: &str, without: &str) {
+    let labels = labels(text);
+    for word in expected.split_whitespace() {
+        assert!(labels.iter().any(|label| label == word), "no {word} in {labels:?}: {text}");
+    }
+    for word in without.split_whitespace() {
+        assert!(!labels.iter().any(|label| label == word), "{word} in {labels:?}: {text}");
+    }
+}
+
+#[test]
+fn what_begins_an_item() {
+    first("$0", "use param let fn ifs");
+    first("let a = 2m\n$0", "use param let fn ifs");
+    first("let a = 2m\nfi$0\nlet b = 3m", "use param let fn ifs");
+    first("let a = 2m\n\npub $0", "use param");
+    first("let $0", "");
+    first("// a comment $0", "");
+    first("/// docs $0\nlet a = 2", "");
+    first("test \"a text $0\" {}", "");
+}
+
+#[test]
+fn names_in_scope_by_what_fits() {
+    let head = "param span: Length = 6m\nlet turns = 4\nlet wide = true\nlet angle = 30deg\n";
+    first(&format!("{head}let x: Length = $0"), "span");
+    first(&format!("{head}let x: Angle = $0\nfigure y = z"), "angle");
+    first(&format!("{head}let x: Bool = $0"), "false true wide");
+    has(&format!("{head}let x = $0"), "span turns wide angle sin lerp bezier3 if for", "self use");
+    has(&format!("{head}let x = sp$0"), "span", "use");
+    has(&format!("{head}let x = 2 * s$0"), "span sin", "");
+    let arch = "fn arch(i: Int, width: Length) -> Length = i * $0\nlet other = 1";
+    has(arch, "i width arch", "");
+    let ifs = "ifs curve(t: Number = 1/2) on (a, b) {\n    let m = lerp(a, b, t)\n    transform left = self on (a, $0\n    germ segment(a, b)\n}";
+    has(ifs, "a b m t lerp", "");
+    has("let xs = [i * 1m for i in 0..3 if $0]", "i true", "");
+}
+
+#[test]
+fn names_of_the_library_bring_their_use() {
+    let find = |text: &str, label: &str| offers(text).into_iter().find(|offer| offer.label == label).unwrap();
+    let offer = find("//! A design.\n\nfigure f = bez$0", "bezier3");
+    assert_eq!(offer.elsewhere.as_ref().unwrap().1, "use std.curves (bezier3)\n\n");
+    assert_eq!(offer.elsewhere.unwrap().0.start, 15);
+    assert_eq!(offer.module.as_deref(), Some("std.curves"));
+    let offer = find("use std.curves (bezier2)\nfigure f = bez$0", "bezier3");
+    assert_eq!(offer.elsewhere.unwrap().1, ", bezier3");
+    let offer = find("use std.curves (bezier2)\nfigure f = bez$0", "bezier2");
+    assert_eq!(offer.elsewhere, None);
+    let offer = find("use std.curves (bezier2)\nfigure f = $0", "sheet");
+    assert_eq!(offer.elsewhere.unwrap().1, "\nuse std.surfaces (sheet)");
+    assert_eq!(offer.snippet, "sheet(${1:u}, ${2:v}, ${3:net})");
+    assert!(library_item_docs("std.curves", "bezier3").unwrap().summary().starts_with("A cubic"));
+}
+
+#[test]
+fn settings_that_are_not_given_yet() {
+    let head = "use std.materials (birch_plywood)\nlet net = [[(i * 1m, j * 1m, 0m) for j in 0..3] for i in 0..3]\nuse std.surfaces (sheet)\nuse std.curves (bspline2)\nfigure shell = sheet(bspline2, bspline2, net) at level 1\n";
+    first(&format!("{head}fabricate $0"), "shell");
+    first(&format!("{head}fabricate shell $0"), "as");
+    first(&format!("{head}fabricate shell as $0"), "panels planks");
+    first(&format!("{head}fabricate shell as panels {{ $0"), "material board side grain");
+    let given = format!(
+        "{head}fabricate shell as panels {{\n    material: birch_plywood(12mm)\n    $0\n    side: outer\n}}"
+    );
+    first(&given, "board grain edges planarize");
+    has(&given, "require machine", "material side section");
+    first(&format!("{head}fabricate shell as panels {{\n    side: $0\n}}"), "inner centred outer");
+    first(
+        &format!("{head}fabricate shell as panels {{\n    side: o$0\n    grain: u\n}}"),
+        "inner centred outer",
+    );
+    first(&format!("{head}fabricate shell as panels {{\n    material: $0"), "birch_plywood");
+    first(&format!("{head}fabricate shell as panels {{\n    planarize: {{ $0"), "method worst average");
+    first(
+        &format!("{head}fabricate shell as panels {{\n    planarize: {{ worst: 1, $0 }}\n}}"),
+        "method average select",
+    );
+    first(
+        &format!("{head}fabricate shell as panels {{\n    planarize: {{ method: $0 }}\n}}"),
+        "perturbation projection",
+    );
+    first(&format!("{head}fabricate shell as planks {{\n    nest: {{ $0 }}\n}}"), "kerf trim");
+    has(&format!("{head}fabricate shell as panels {{\n    machine: $0\n}}"), "router3", "sin");
+    first(&format!("{head}fabricate shell as panels {{\n    require $0\n}}"), "planarity fold");
+    has(&format!("{head}fabricate shell as planks {{\n    require $0\n}}"), "mitre overlap", "planarity");
+    has(
+        &format!(
+            "{head}fabricate shell as panels {{\n    material: birch_plywood(12mm)\n    require bend radius >= material.$0\n}}"
+        ),
+        "",
+        "",
+    );
+}
+
+#[test]
+fn units_behind_a_number() {
+    first("let x = 12$0", "mm cm m in ft");
+    first("let x = 12m$0", "mm cm m in ft");
+    first("let x: Angle = 30$0", "deg rad");
+    first("let x: Speed = 3$0", "mm/min m/min mm/s m/s");
+    first("let x = sin(12d$0)", "deg rad");
+    let design = fixture("let x = 1.5e2m$0m");
+    let found = completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap();
+    assert_eq!((found.span.start, found.span.end), (13, 15));
+}
+
+#[test]
+fn arguments_by_name() {
+    let head =
+        "use std.machines (router3)\nfn arch(i: Int, width: Length, tall: Bool = true) -> Length = width\n";
+    has(&format!("{head}let x = arch($0"), "i: width: tall:", "");
+    has(&format!("{head}let x = arch(1, $0\n\nlet y = 2"), "width: tall:", "i:");
+    first(&format!("{head}let x = arch(1, width: 3m, $0)"), "tall:");
+    first(&format!("{head}let x = arch(1, tall: $0)"), "false true");
+    has(&format!("{head}let x = arch(1, tall: true, $0)"), "width:", "i: tall:");
+    has(&format!("{head}let x = router3($0)"), "tool: feed: spindle:", "");
+    has("let x = rotate(30deg, $0)", "about:", "angle:");
+    has("use std.curves (bezier3)\nfigure f = bezier3($0)", "t:", "");
+    has("use std.surfaces (sheet)\nfigure f = sheet(a, b, c, closed: $0)", "u v uv", "sin");
+}
+
+#[test]
+fn modules_and_what_they_offer() {
+    first("use $0", "std.boards std.curves");
+    has("use $0", "\"./parts/ribs.ifs\"", "\"./design.ifs\" prelude");
+    has("use std.$0", "curves surfaces materials", "std.curves prelude");
+    has("use std.c$0\nlet a = 1", "curves", "");
+    has("use std.curves ($0)", "bezier3 bspline3 chain", "");
+    has("use std.curves (bezier3, $0", "bspline3", "bezier3");
+    has("use \"$0\"", "./parts/ribs.ifs", "./design.ifs");
+    has("use \"./pa$0", "./parts/ribs.ifs", "");
+    has("ifs a in space {\n    germ import(\"$0\")\n}", "./joint.glb", "");
+    let text = "use \"./ribs.ifs\" ($0)";
+    let design = with_files(text, &[("ribs.ifs", "pub let rib = 2m\nlet hidden = 3m")]);
+    let found = completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap();
+    assert_eq!(found.offers.iter().map(|offer| offer.label.as_str()).collect::<Vec<_>>(), ["rib"]);
+}
+
+#[test]
+fn parts_behind_a_full_stop() {
+    let head = "use std.materials (birch_plywood)\nlet board = birch_plywood(12mm)\nlet p = (1m, 2m, 3m)\n";
+    first(&format!("{head}let x = board.$0"), "name thickness density min_bend_radius");
+    first(&format!("{head}let x = board.min_bend_radius.$0\nlet y = 2"), "across along");
+    first(&format!("{head}let x = birch_plywood(12mm).th$0"), "name thickness");
+    first(&format!("{head}let x = [board].$0"), "name thickness");
+    first(&format!("{head}let x = p.$0"), "x y z");
+    first("let x = 12.$0", "");
+    let figure =
+        "use std.curves (bezier2)\nfigure f = bezier2 on ((0m, 0m), (1m, 1m), (2m, 0m)) at level 2\n";
+    first(&format!("{figure}test \"t\" {{\n    assert f.$0\n}}"), "boards elements vertices");
+}
+
+#[test]
+fn types_and_words_in_their_places() {
+    has("param a: $0", "Length Angle Int", "sin use");
+    has("record Part { width: $0 }\nrecord Other { a: Int }", "Length Other", "");
+    has("fn f(a: Int) -> $0", "Curve Length", "");
+    first("ifs a in space {\n    $0\n}", "transform let germ keep");
+    first(
+        "ifs a on (p, q) {\n    let m = lerp(p, q, 1/2)\n    $0\n    germ segment(p, q)\n}",
+        "transform let germ keep",
+    );
+    first("ifs a on (p, q) {\n    germ $0\n}", "control limit");
+    has("ifs a on (p, q) {\n    germ $0\n}", "segment polygon", "sin span");
+    first("ifs a on (p, q) {\n    transform t = $0\n}", "self");
+    first("ifs a $0", "in plane in space on");
+    first("test \"t\" {\n    $0\n}", "assert let");
+    has("figure f = a $0", "on until", "sin");
+    has("figure f = a on (p, q) at $0", "level", "sin");
+    first("figure f = a until $0", "edge length size");
+    has("let xs = [i $0]", "for in", "sin");
+    has("let x = if a $0", "then", "else");
+    has("param a: Length = 2m $0", "in step", "on");
+}

@@ -1,0 +1,243 @@
+//! What the compiler knows and the text does not say, between its words: types, names of arguments, counts, levels, and what
+//! was measured. Each kind is a function of its own.
+
+use ifs_compiler::analysis::{Analysis, value_words};
+use ifs_compiler::hir::index::Target;
+use ifs_compiler::hir::schema::Measure;
+use ifs_compiler::hir::type_names::type_name;
+use ifs_compiler::hir::types::Type;
+use ifs_compiler::source::{FileId, Span};
+use ifs_compiler::syntax::ast;
+
+use super::lens::counted;
+use super::walk::expressions;
+use super::words::written;
+
+/// What kind of hint it is, as editors tell them apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Type,
+    Parameter,
+    Fact,
+}
+
+/// A hint behind a byte.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Hint {
+    pub(crate) at: u32,
+    pub(crate) text: String,
+    pub(crate) kind: Kind,
+    /// What is written where the hint is taken over.
+    pub(crate) insert: Option<String>,
+}
+
+/// The hints of a part of a file; `made` is the design worked out as it is now.
+pub(crate) fn hints(analysis: &Analysis, made: Option<&Analysis>, part: Span) -> Vec<Hint> {
+    let Some(parsed) = analysis.files.iter().find(|parsed| parsed.file == part.file) else {
+        return Vec::new();
+    };
+    let tree = &parsed.parse.ast;
+    let mut hints = types(analysis, tree);
+    hints.extend(arguments(analysis, tree));
+    if let Some(made) = made {
+        hints.extend(counts(made, tree));
+        hints.extend(levels(made, part.file));
+        hints.extend(measured(made, part.file));
+    }
+    hints.retain(|hint| part.start <= hint.at && hint.at <= part.end);
+    hints.sort_by_key(|hint| hint.at);
+    hints
+}
+
+/// The types of `let` that say none, but for those that are seen at a glance.
+fn types(analysis: &Analysis, tree: &ast::File) -> Vec<Hint> {
+    let lets = tree.items.iter().flat_map(|item| -> Vec<&ast::Let> {
+        match &item.kind {
+            ast::ItemKind::Let(value) => vec![value],
+            ast::ItemKind::Ifs(ifs) => ifs
+                .members
+                .iter()
+                .filter_map(|member| match &member.kind {
+                    ast::MemberKind::Let(value) => Some(value),
+                    _ => None,
+                })
+                .collect(),
+            ast::ItemKind::Test(test) => test
+                .steps
+                .iter()
+                .filter_map(|step| match step {
+                    ast::TestStep::Let(value) => Some(value),
+                    _ => None,
+                })
+                .collect(),
+            _ => Vec::new(),
+        }
+    });
+    let hints = lets.filter(|value| value.ty.is_none() && !is_plain(&value.value)).filter_map(|value| {
+        let ty = &analysis.index.declaration(value.name.span)?.ty;
+        let name = type_name(&analysis.hir.items, ty);
+        // What has no name in the language cannot be written.
+        let writable = !matches!(
+            ty,
+            Type::WeightedSum(_)
+                | Type::Weighted(_)
+                | Type::IntRange
+                | Type::Size
+                | Type::Choice(_)
+                | Type::Settings(_)
+                | Type::Material
+                | Type::Germ
+        ) && !name.contains(['^', ' ', '/']);
+        let hint = format!(": {name}");
+        (*ty != Type::Error).then(|| Hint {
+            at: value.name.span.end,
+            insert: writable.then(|| hint.clone()),
+            text: hint,
+            kind: Kind::Type,
+        })
+    });
+    hints.collect()
+}
+
+/// Whether a value says its type itself: a number, a text, a truth, a record.
+fn is_plain(value: &ast::Expr) -> bool {
+    match &value.kind {
+        ast::ExprKind::Number { .. } | ast::ExprKind::Text(_) | ast::ExprKind::Bool(_) => true,
+        ast::ExprKind::Call { callee, .. } => {
+            matches!(&callee.kind, ast::ExprKind::Name(name) if name.starts_with(char::is_uppercase))
+        }
+        _ => false,
+    }
+}
+
+/// The names of arguments that are given by their place and do not say what they are.
+fn arguments(analysis: &Analysis, tree: &ast::File) -> Vec<Hint> {
+    let mut hints = Vec::new();
+    let named: std::collections::BTreeMap<Span, Target> =
+        analysis.index.references.iter().map(|used| (used.span, used.target)).collect();
+    expressions(tree, |expr| {
+        let ast::ExprKind::Call { callee, arguments } = &expr.kind else { return };
+        let Some(target) = named.get(&callee.span) else { return };
+        let parameters: Vec<&str> = match target {
+            Target::Native(native) => {
+                native.declaration().parameters.iter().map(|parameter| parameter.name).collect()
+            }
+            target => {
+                let known = analysis.index.parameters(*target).unwrap_or_default();
+                known.iter().map(|parameter| parameter.name.as_str()).collect()
+            }
+        };
+        // One argument says what it is by what is called.
+        if parameters.len() < 2 {
+            return;
+        }
+        let by_place = arguments.iter().filter(|argument| argument.name.is_none()).zip(&parameters);
+        for (argument, name) in by_place.filter(|(argument, name)| !says(analysis, &argument.value, name)) {
+            let text = format!("{name}:");
+            let insert = Some(format!("{name}: "));
+            hints.push(Hint { at: argument.value.span.start, text, kind: Kind::Parameter, insert });
+        }
+    });
+    hints
+}
+
+/// Whether an argument bears the name of its parameter, or the parameter has but a letter.
+fn says(analysis: &Analysis, argument: &ast::Expr, name: &str) -> bool {
+    let text = written(analysis, argument.span);
+    name.len() == 1
+        || text == name
+        || text.ends_with(&format!(".{name}"))
+        || text.ends_with(&format!("_{name}"))
+}
+
+/// How many elements each figure has.
+fn counts(made: &Analysis, tree: &ast::File) -> Vec<Hint> {
+    let figures = tree.items.iter().filter_map(|item| match &item.kind {
+        ast::ItemKind::Figure(figure) => Some((item, figure)),
+        _ => None,
+    });
+    let hints = figures.filter_map(|(item, figure)| {
+        let text = counted(made, &figure.name.text)?;
+        let elements = text.split(" · ").find(|part| part.contains("element"))?.to_owned();
+        Some(Hint { at: item.span.end, text: elements, kind: Kind::Fact, insert: None })
+    });
+    hints.collect()
+}
+
+/// The levels that were found by size.
+fn levels(made: &Analysis, file: FileId) -> Vec<Hint> {
+    let Some(lowered) = &made.plan else { return Vec::new() };
+    let found =
+        lowered.plan.figures().iter().zip(&lowered.sources).filter(|(_, source)| source.until.is_some());
+    let mut hints: Vec<Hint> = Vec::new();
+    for (figure, source) in found.filter(|(_, source)| source.level_span.file == file) {
+        let words = figure.shape.level_words();
+        if words.is_empty() {
+            continue;
+        }
+        let (at, text) = (source.level_span.end, format!("level {words}"));
+        match hints.iter_mut().find(|hint| hint.at == at) {
+            // Figures of a list may have found several.
+            Some(hint) if hint.text != text => hint.text = "several levels".to_owned(),
+            Some(_) => {}
+            None => hints.push(Hint { at, text, kind: Kind::Fact, insert: None }),
+        }
+    }
+    hints
+}
+
+/// What was measured for each requirement: the value that is nearest to its limit, or beyond it.
+fn measured(made: &Analysis, file: FileId) -> Vec<Hint> {
+    let all = made.fabrications.iter().flat_map(|fabrication| &fabrication.requirements);
+    let own = all.filter(|requirement| requirement.span.file == file);
+    let hints = own.filter_map(|requirement| {
+        let (least, most) = requirement.result.extremes?;
+        let words = |value| value_words(requirement.measure, value);
+        let text = match requirement.measure {
+            Measure::Planarity => format!("worst {}", words(least)),
+            _ if words(least) == words(most) => words(least),
+            _ => format!("{} .. {}", words(least), words(most)),
+        };
+        Some(Hint { at: requirement.span.end, text, kind: Kind::Fact, insert: None })
+    });
+    hints.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::features::fixture::{Fixture, fixture};
+
+    /// The text with its hints in `‹…›`.
+    fn shown(design: &Fixture, made: bool) -> String {
+        let analysis = &design.analysis;
+        let text = &analysis.sources.get(analysis.root).unwrap().text;
+        let made = made.then(|| design.made());
+        let all = hints(analysis, made.as_ref(), Span::new(analysis.root, 0, text.len() as u32));
+        let mut shown = text.clone();
+        for hint in all.iter().rev() {
+            shown.insert_str(hint.at as usize, &format!("‹{}›", hint.text));
+        }
+        shown
+    }
+
+    #[test]
+    fn types_and_arguments() {
+        let text = "fn f(width: Length, n: Int, tall: Bool = true) -> Length = width * n\nlet a = 2m\nlet b = a * a\nlet c: Length = f(a, 3, true)\nlet width = f(width: a, n: 2)\nlet d = f(width, 2, tall: false)\nlet e = [sqrt(b)]\nlet broken = ";
+        let expected = "fn f(width: Length, n: Int, tall: Bool = true) -> Length = width * n\nlet a = 2m\nlet b‹: Area› = a * a\nlet c: Length = f(‹width:›a, 3, ‹tall:›true)\nlet width‹: Length› = f(width: a, n: 2)\nlet d‹: Length› = f(width, 2, tall: false)\nlet e‹: [Length]› = [sqrt(b)]\nlet broken = ";
+        assert_eq!(shown(&fixture(text), false), expected);
+    }
+
+    #[test]
+    fn what_was_worked_out() {
+        let text = "use std.curves (bezier2)\nfigure arch = bezier2 on ((0m, 0m), (1m, 2m), (2m, 0m)) until edge <= 600mm\nuse std.materials (sawn_spruce)\nfabricate arch as planks {\n    material: sawn_spruce\n    section: 100mm by 40mm\n    require count <= 9\n}\n";
+        let shown = shown(&fixture(text), true);
+        assert!(
+            shown.contains("until edge <= 600mm‹level 3›")
+                || shown.contains("until edge <= 600mm‹8 elements›‹level 3›"),
+            "{shown}"
+        );
+        assert!(shown.contains("‹8 elements›"), "{shown}");
+        assert!(shown.contains("require count <= 9‹8›"), "{shown}");
+    }
+}

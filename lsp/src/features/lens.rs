@@ -1,0 +1,157 @@
+//! What stands above figures and fabricate blocks: what came out, and commands that an editor's extension offers.
+
+use ifs_compiler::analysis::{Analysis, Elements, Fabrication, value_words};
+use ifs_compiler::fabricate::panel::PanelRefusal;
+use ifs_compiler::fabricate::plank::PlankRefusal;
+use ifs_compiler::geometry::MeshSummary;
+use ifs_compiler::hir::schema::Measure;
+use ifs_compiler::source::{FileId, Span};
+use ifs_compiler::syntax::ast;
+
+/// What a click does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Act {
+    /// Nothing: it is only said.
+    None,
+    /// Writes the outputs of the design.
+    Build,
+    /// Shows the report of the design.
+    ShowReport,
+}
+
+/// A line above another.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Lens {
+    pub(crate) span: Span,
+    pub(crate) title: String,
+    pub(crate) act: Act,
+}
+
+/// The lenses of a file; `made` is the design worked out as it is now.
+pub(crate) fn lenses(analysis: &Analysis, made: Option<&Analysis>, file: FileId) -> Vec<Lens> {
+    let Some(parsed) = analysis.files.iter().find(|parsed| parsed.file == file) else { return Vec::new() };
+    let mut found = Vec::new();
+    for item in &parsed.parse.ast.items {
+        match &item.kind {
+            ast::ItemKind::Figure(figure) => {
+                let title = made.and_then(|made| counted(made, &figure.name.text));
+                found.extend(title.map(|title| Lens { span: figure.name.span, title, act: Act::None }));
+            }
+            ast::ItemKind::Fabricate(block) => {
+                let span = block.figure.span;
+                let made = made
+                    .and_then(|made| made.fabrications.iter().find(|made| made.figure == block.figure.text));
+                let title = made.map(fabricated);
+                found.extend(title.map(|title| Lens { span, title, act: Act::None }));
+                let act = |title: &str, act| Lens { span, title: title.to_owned(), act };
+                found.push(act("build", Act::Build));
+                found.push(act("show report", Act::ShowReport));
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// How many elements and vertices a figure has.
+pub(super) fn counted(made: &Analysis, name: &str) -> Option<String> {
+    let lowered = made.plan.as_ref()?;
+    let counts = lowered.plan.figures().iter().zip(&lowered.counts).filter(|(figure, _)| figure.name == name);
+    let (figures, elements, vertices) =
+        counts.fold((0u64, 0u64, 0u64), |(figures, elements, vertices), (_, count)| {
+            (figures + 1, elements.saturating_add(count.elements), vertices.saturating_add(count.vertices))
+        });
+    let figures = match figures {
+        0 => return None,
+        1 => String::new(),
+        several => format!("{} figures · ", grouped(several)),
+    };
+    Some(format!("{figures}{} · {} vertices", plural(elements, "element"), grouped(vertices)))
+}
+
+fn plural(count: u64, one: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{} {one}s", grouped(count)) }
+}
+
+/// A count with a narrow space between its thousands.
+fn grouped(count: u64) -> String {
+    let digits = count.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// What a block made: `1 024 boards · worst planarity 0.9996 · 2 too long`.
+fn fabricated(made: &Fabrication) -> String {
+    let mut parts = Vec::new();
+    let total = made.elements.total() as u64;
+    let refused = match &made.elements {
+        Elements::Panels(panels) => {
+            parts.push(plural(total, "board"));
+            let worst = panels.figures.iter().filter_map(|figure| MeshSummary::of(&figure.built).worst);
+            let worst = worst.map(|extreme| extreme.value).min_by(f64::total_cmp);
+            parts.extend(
+                worst.map(|worst| format!("worst planarity {}", value_words(Measure::Planarity, worst))),
+            );
+            let large = |reason: &PanelRefusal| matches!(reason, PanelRefusal::TooLarge { .. });
+            let large = panels.refused.iter().filter(|refused| large(&refused.reason)).count();
+            if large > 0 {
+                parts.push(format!("{large} too large"));
+            }
+            panels.refused.len() - large
+        }
+        Elements::Planks(planks) => {
+            parts.push(plural(total, "plank"));
+            let long = |reason: &PlankRefusal| matches!(reason, PlankRefusal::TooLong { .. });
+            let long = planks.refused.iter().filter(|refused| long(&refused.reason)).count();
+            if long > 0 {
+                parts.push(format!("{long} too long"));
+            }
+            planks.refused.len() - long
+        }
+    };
+    if refused > 0 {
+        parts.push(format!("{refused} cannot be made"));
+    }
+    let failed = made.requirements.iter().filter(|requirement| !requirement.result.holds()).count();
+    match (failed, made.requirements.len()) {
+        (_, 0) => {}
+        (0, 1) => parts.push("its requirement holds".to_owned()),
+        (0, all) => parts.push(format!("all {all} requirements hold")),
+        (1, 1) => parts.push("its requirement fails".to_owned()),
+        (failed, all) => parts.push(format!("{failed} of {all} requirements fail")),
+    }
+    parts.join(" · ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::features::fixture::fixture;
+    use crate::features::words::written;
+
+    #[test]
+    fn what_came_out_stands_above() {
+        let text = "use std.curves (bspline2)\nuse std.surfaces (sheet)\nuse std.materials (birch_plywood)\nlet net = [[(i * 1m, j * 1m, 10mm * i * j) for j in 0..4] for i in 0..4]\nfigure shell = sheet(bspline2, bspline2, net) at level 1\nfabricate shell as panels {\n    material: birch_plywood(12mm)\n    board: 2500mm by 1250mm\n    require edge <= 100mm\n}\n";
+        let design = fixture(text);
+        let shown = |made: Option<&Analysis>| {
+            let lenses = lenses(&design.analysis, made, design.analysis.root);
+            let shown =
+                lenses.iter().map(|lens| format!("{}: {}", written(&design.analysis, lens.span), lens.title));
+            shown.collect::<Vec<_>>()
+        };
+        assert_eq!(shown(None), ["shell: build", "shell: show report"]);
+        let made = design.made();
+        let told = shown(Some(&made));
+        assert_eq!(told[0], "shell: 16 elements · 25 vertices");
+        assert!(told[1].starts_with("shell: 16 boards · worst planarity 0.99"), "{told:?}");
+        assert!(told[1].ends_with("its requirement fails"), "{told:?}");
+        assert_eq!(grouped(1024), "1\u{202f}024");
+        assert_eq!(grouped(1_234_567), "1\u{202f}234\u{202f}567");
+    }
+}

@@ -1,0 +1,181 @@
+//! The tokens around the cursor: the word that is being written, what stands before it, and the brackets that are open.
+
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::source::{FileId, Span};
+use ifs_compiler::syntax::{Token, TokenKind};
+
+/// An open bracket, by the place of its token.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Open {
+    pub(crate) kind: TokenKind,
+    pub(crate) at: usize,
+}
+
+/// What stands before the cursor in its item.
+pub(crate) struct Before<'a> {
+    text: &'a str,
+    /// The tokens of the item up to the word, without trivia.
+    pub(crate) tokens: Vec<Token>,
+    /// The brackets that are open at the word, outermost first.
+    pub(crate) open: Vec<Open>,
+    /// The word around the cursor, or the empty place at it.
+    pub(crate) word: Span,
+    /// Whether a line ends between the last token and the word.
+    pub(crate) new_line: bool,
+    /// What follows the word.
+    pub(crate) next: Option<TokenKind>,
+}
+
+/// What the cursor is in.
+pub(crate) enum Cursor<'a> {
+    /// Space, or a word.
+    Code(Before<'a>),
+    /// Right behind a number, or in its unit.
+    Number(Token),
+    /// In a text: the tokens before it.
+    Text(Before<'a>, Token),
+    /// In a comment.
+    Comment,
+}
+
+/// What the cursor is in.
+pub(crate) fn cursor(analysis: &Analysis, file: FileId, offset: u32) -> Option<Cursor<'_>> {
+    let parse = &analysis.files.iter().find(|parsed| parsed.file == file)?.parse;
+    let text = &analysis.sources.get(file)?.text;
+    let all = &parse.tokens;
+    let left = all.iter().position(|token| token.span.start < offset && offset <= token.span.end);
+    let touched = left.map(|at| (at, all[at]));
+    let here = Span::new(file, offset, offset);
+    let Some((at, token)) = touched else { return Some(Cursor::Code(before(text, all, 0, here))) };
+    let inside = offset < token.span.end;
+    let unclosed = |quoted: &str| quoted.len() < 2 || !quoted.ends_with('"');
+    Some(match token.kind {
+        TokenKind::Comment | TokenKind::ItemDocs | TokenKind::FileDocs => Cursor::Comment,
+        TokenKind::Text if inside || unclosed(text.get(token.span.range())?) => {
+            Cursor::Text(before(text, all, at, here), token)
+        }
+        TokenKind::Number(_) | TokenKind::BadNumber => Cursor::Number(token),
+        kind if kind == TokenKind::Name || kind.is_keyword() => {
+            Cursor::Code(before(text, all, at, token.span))
+        }
+        _ => Cursor::Code(before(text, all, at + 1, here)),
+    })
+}
+
+/// The item that holds the first `count` tokens' end.
+fn before<'a>(text: &'a str, all: &[Token], count: usize, word: Span) -> Before<'a> {
+    let mut tokens: Vec<Token> = Vec::new();
+    let mut open: Vec<Open> = Vec::new();
+    for (at, token) in all[..count].iter().enumerate().filter(|(_, token)| !token.kind.is_trivia()) {
+        let indented = !starts_line(text, token.span.start);
+        let begins = token.kind.is_item_keyword() && begins_item(text, all, at)
+            || token.kind == TokenKind::Let && (open.is_empty() || !indented);
+        let public = tokens.len() == 1 && tokens[0].kind == TokenKind::Pub;
+        if begins && !public {
+            tokens.clear();
+            open.clear();
+        }
+        if token.kind.closer().is_some() {
+            open.push(Open { kind: token.kind, at: tokens.len() });
+        } else if token.kind.is_closer() {
+            let fits = open.iter().rposition(|open| open.kind.closer() == Some(token.kind));
+            if let Some(place) = fits {
+                open.truncate(place);
+            }
+        }
+        tokens.push(*token);
+    }
+    let from = tokens.last().map_or(0, |token| token.span.end) as usize;
+    let new_line = text.get(from..word.start as usize).is_some_and(|between| between.contains('\n'));
+    let following = all[count..].iter().find(|token| !token.kind.is_trivia() && token.span.start >= word.end);
+    Before { text, tokens, open, word, new_line, next: following.map(|token| token.kind) }
+}
+
+fn starts_line(text: &str, at: u32) -> bool {
+    at == 0 || text.as_bytes().get(at as usize - 1) == Some(&b'\n')
+}
+
+/// Whether a keyword begins an item, as the compiler sees it: it begins its line, or is followed by a name; no label.
+fn begins_item(text: &str, all: &[Token], at: usize) -> bool {
+    let next = all[at + 1..].iter().find(|token| !token.kind.is_trivia()).map(|token| token.kind);
+    if next == Some(TokenKind::Colon) {
+        return false;
+    }
+    let line = text[..all[at].span.start as usize].rsplit('\n').next().unwrap_or("");
+    let keyword = next.is_some_and(TokenKind::is_keyword);
+    line.trim().is_empty() || keyword || matches!(next, Some(TokenKind::Name | TokenKind::Text))
+}
+
+/// What stands before a place, whatever it is in.
+pub(crate) fn up_to(analysis: &Analysis, file: FileId, offset: u32) -> Option<Before<'_>> {
+    let parse = &analysis.files.iter().find(|parsed| parsed.file == file)?.parse;
+    let text = &analysis.sources.get(file)?.text;
+    let count = parse.tokens.iter().take_while(|token| token.span.end <= offset).count();
+    Some(before(text, &parse.tokens, count, Span::new(file, offset, offset)))
+}
+
+impl Before<'_> {
+    pub(crate) fn written(&self, at: usize) -> &str {
+        self.tokens.get(at).and_then(|token| self.text.get(token.span.range())).unwrap_or("")
+    }
+
+    /// The `back`-th token before the word; 1 is the last.
+    pub(crate) fn back(&self, back: usize) -> Option<TokenKind> {
+        Some(self.tokens.get(self.tokens.len().checked_sub(back)?)?.kind)
+    }
+
+    pub(crate) fn back_text(&self, back: usize) -> &str {
+        self.tokens.len().checked_sub(back).map_or("", |at| self.written(at))
+    }
+
+    /// The word that begins the item, behind `pub`.
+    pub(crate) fn item(&self) -> Option<TokenKind> {
+        self.tokens.iter().map(|token| token.kind).find(|kind| *kind != TokenKind::Pub)
+    }
+
+    /// Whether what stands before the word could be the end of a value.
+    pub(crate) fn after_value(&self) -> bool {
+        use TokenKind::*;
+        let Some(last) = self.back(1) else { return false };
+        match last {
+            Name => !self.after_operator_word(),
+            Number(_) | BadNumber | Text | Itself | True | False => true,
+            kind => kind.is_closer(),
+        }
+    }
+
+    /// Whether the last name is a word that stands before a value.
+    fn after_operator_word(&self) -> bool {
+        let word = self.back_text(1);
+        let label = self.back(2).is_some_and(|kind| kind == TokenKind::Dot);
+        let begins = matches!(word, "germ" | "keep" | "require" | "assert" | "until" | "join")
+            && !matches!(self.back(2), Some(TokenKind::Colon | TokenKind::Equals | TokenKind::Plus));
+        !label && (matches!(word, "by" | "and" | "or" | "not" | "step" | "level" | "as" | "each") || begins)
+    }
+
+    /// The brackets that the item leaves open at the word, closed.
+    pub(crate) fn closing(&self) -> String {
+        self.open.iter().rev().filter_map(|open| open.kind.closer()?.text()).collect()
+    }
+
+    /// The names before a colon in the innermost bracket, and how many commas it has.
+    pub(crate) fn given(&self) -> (Vec<&str>, usize) {
+        self.open.last().map_or((Vec::new(), 0), |open| self.given_in(*open))
+    }
+
+    /// The same of an open bracket.
+    pub(crate) fn given_in(&self, open: Open) -> (Vec<&str>, usize) {
+        let (mut names, mut commas, mut depth) = (Vec::new(), 0, 0usize);
+        for at in open.at + 1..self.tokens.len() {
+            let kind = self.tokens[at].kind;
+            match kind {
+                TokenKind::Comma if depth == 0 => commas += 1,
+                TokenKind::Colon if depth == 0 => names.push(self.written(at - 1)),
+                kind if kind.closer().is_some() => depth += 1,
+                kind if kind.is_closer() => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+        (names, commas)
+    }
+}

@@ -1,0 +1,95 @@
+//! What editors show beside the text: hints, lenses, folds, selections; and the layout of a part.
+
+use ifs_compiler::source::Span;
+use serde_json::json;
+use tower_lsp::ls_types::*;
+
+use crate::features::{folding, format, hints, lens, selection};
+use crate::world::Snapshot;
+
+fn part(snapshot: &Snapshot, range: Range) -> Span {
+    Span::new(snapshot.analysis.root, snapshot.offset(range.start), snapshot.offset(range.end))
+}
+
+/// The design as it was worked out, where that is of the text as it is.
+fn made(snapshot: &Snapshot) -> Option<&ifs_compiler::analysis::Analysis> {
+    snapshot.made.as_ref().filter(|made| made.current).map(|made| &*made.analysis)
+}
+
+pub(super) fn hints(snapshot: &Snapshot, range: Range) -> Vec<InlayHint> {
+    let root = snapshot.analysis.root;
+    let found = hints::hints(&snapshot.analysis, made(snapshot), part(snapshot, range));
+    let hints = found.into_iter().map(|hint| {
+        let position = snapshot.range(Span::new(root, hint.at, hint.at)).start;
+        let edit = |new_text| TextEdit { range: Range { start: position, end: position }, new_text };
+        InlayHint {
+            position,
+            label: InlayHintLabel::String(hint.text),
+            kind: match hint.kind {
+                hints::Kind::Type => Some(InlayHintKind::TYPE),
+                hints::Kind::Parameter => Some(InlayHintKind::PARAMETER),
+                hints::Kind::Fact => None,
+            },
+            text_edits: hint.insert.map(|text| vec![edit(text)]),
+            tooltip: None,
+            padding_left: (hint.kind == hints::Kind::Fact).then_some(true),
+            padding_right: (hint.kind == hints::Kind::Parameter).then_some(true),
+            data: None,
+        }
+    });
+    hints.collect()
+}
+
+pub(super) fn lenses(snapshot: &Snapshot, uri: &Uri) -> Vec<CodeLens> {
+    let found = lens::lenses(&snapshot.analysis, made(snapshot), snapshot.analysis.root);
+    let lenses = found.into_iter().map(|lens| {
+        let (command, arguments) = match lens.act {
+            lens::Act::None => ("", None),
+            lens::Act::Build => ("ifs.build", Some(vec![json!(uri.as_str())])),
+            lens::Act::ShowReport => ("ifs.showReport", Some(vec![json!(uri.as_str())])),
+        };
+        CodeLens {
+            range: snapshot.range(lens.span),
+            command: Some(Command { title: lens.title, command: command.to_owned(), arguments }),
+            data: None,
+        }
+    });
+    lenses.collect()
+}
+
+pub(super) fn folding(snapshot: &Snapshot) -> Vec<FoldingRange> {
+    let found = folding::folding(&snapshot.analysis, snapshot.analysis.root);
+    let folds = found.into_iter().map(|(start_line, end_line, fold)| FoldingRange {
+        start_line,
+        end_line,
+        kind: match fold {
+            folding::Fold::Comment => Some(FoldingRangeKind::Comment),
+            folding::Fold::Imports => Some(FoldingRangeKind::Imports),
+            folding::Fold::Code => None,
+        },
+        ..FoldingRange::default()
+    });
+    folds.collect()
+}
+
+pub(super) fn selections(snapshot: &Snapshot, positions: &[Position]) -> Vec<SelectionRange> {
+    let root = snapshot.analysis.root;
+    let chain = |position: &Position| {
+        let spans = selection::selection(&snapshot.analysis, root, snapshot.offset(*position));
+        let outer_first = spans.into_iter().rev();
+        outer_first.fold(None, |parent, span| {
+            Some(SelectionRange { range: snapshot.range(span), parent: parent.map(Box::new) })
+        })
+    };
+    let nothing = |position: &Position| SelectionRange {
+        range: Range { start: *position, end: *position },
+        parent: None,
+    };
+    // Each position has its answer, in their order.
+    positions.iter().map(|position| chain(position).unwrap_or_else(|| nothing(position))).collect()
+}
+
+pub(super) fn format_part(snapshot: &Snapshot, range: Range) -> Option<Vec<TextEdit>> {
+    let edits = format::part_edits(&snapshot.analysis, part(snapshot, range))?;
+    Some(edits.into_iter().map(|(span, text)| snapshot.edit(span, text)).collect())
+}
