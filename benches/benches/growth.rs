@@ -85,7 +85,7 @@ fn build(ifs: &Path, folder: &Path, side: u32) -> Cost {
     assert!(done.status.success(), "{said}");
     let last = said.lines().last().unwrap_or_default();
     let numbers: Vec<f64> = last.split_whitespace().filter_map(|word| word.parse().ok()).collect();
-    let [user, system, clock, kilobytes] = numbers[..] else { panic!("GNU time said {last:?}") };
+    let [user, system, clock, kilobytes] = <[f64; 4]>::try_from(numbers).expect("GNU time says four numbers");
     let boards = f64::from(side * side);
     let programs = fs::read_dir(out.join("boards")).expect("boards were made").count();
     assert!(programs >= 2 * (side * side) as usize, "{programs} files of {boards} boards");
