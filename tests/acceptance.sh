@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The long run, beside tests/run.sh: every fuzz target for some minutes each (10 unless given), from the texts of the tree.
-# Then 10,000 random boards in each dialect of NC programs go before rs274 and shapely.
+# Then a whole build of 10,000 boards: every file is read again, and 300 of its programs go before rs274 and shapely.
+# Then 10,000 random boards in each dialect of NC programs go there too.
 # At last the editors: VS Code and Emacs themselves open a design (tests/editors.sh).
 # What a target finds lies in fuzz/artifacts/; the smallest form of it belongs into tests/corpus/.
 #   tests/acceptance.sh [MINUTES]
@@ -23,6 +24,7 @@ fuzz() {
 fuzz parse "${texts[@]}"
 fuzz analyse "${texts[@]}"
 fuzz design
+WHOLE_BUILD_SIDE=100 cargo test --release -p ifs-tests --test all -- whole_build
 NC_BOARDS=10000 cargo test --release -p ifs-tests --test all -- nc::random_boards
 tests/editors.sh
 echo "acceptance: nothing found in $minutes minutes a target"

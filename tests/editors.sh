@@ -45,8 +45,11 @@ vs_code() {
     rm -rf "$data" "$design" "$here"/pictures/*
     mkdir -p "$data/User" "$design"
     sed 's/0\.1 \* span/0.1 * spann/' examples/vault.ifs >"$design/vault.ifs"
-    printf '{"ifs.server.path":"%s","workbench.startupEditor":"none","chat.disableAIFeatures":true,"editor.wordBasedSuggestions":"off","workbench.secondarySideBar.defaultVisibility":"hidden"}' \
-        "$PWD/target/debug/ifs" >"$data/User/settings.json"
+    # The program is a setting of the machine that serves the window, not of the person before it.
+    mkdir -p "$data/Machine"
+    printf '{"ifs.server.path":"%s"}' "$PWD/target/debug/ifs" >"$data/Machine/settings.json"
+    printf '{"%s":"none","%s":true,"%s":"off","%s":"hidden","%s":false}' workbench.startupEditor chat.disableAIFeatures \
+        editor.wordBasedSuggestions workbench.secondarySideBar.defaultVisibility git.enabled >"$data/User/settings.json"
     local run=("$node/node" "$entry" --user-data-dir "$data" --extensions-dir "$data/extensions")
     "${run[@]}" --install-extension editors/vscode/ifs.vsix
     "${run[@]}" --auth none --disable-telemetry --disable-update-check --disable-workspace-trust \

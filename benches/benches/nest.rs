@@ -1,4 +1,4 @@
-//! Nesting a thousand boards, and a hundred, side by side with spyrrow (PyPI), which is given a minute: times, numbers of
+//! Nesting a thousand boards, and a hundred, side by side with spyrrow (PyPI), which is given a minute: our time of the processor, numbers of
 //! raw boards, and the bound that nobody gets below. Spyrrow packs one endless strip as wide as a raw board; its boards
 //! are counted by the length of that strip, which flatters it: pieces may lie across the ends of boards.
 //!
@@ -15,7 +15,7 @@ use std::io::Write as _;
 use std::process::{Command, Stdio};
 
 use ifs_benches::boards::all;
-use ifs_benches::processes::{median, millis};
+use ifs_benches::processes::{cpu_time, median, middle, millis};
 use ifs_compiler::nest::check::faults;
 use ifs_compiler::nest::sheets::{Part, Sheet, area, least_sheets, nest};
 
@@ -41,14 +41,15 @@ fn main() {
     println!("boards of {} mm by {} mm, gap {} mm", SHEET.length, SHEET.width, SHEET.gap);
     println!(
         "  {:12} {:>6} {:>8} {:>8} {:>7} {:>7} {:>7} {:>8}",
-        "set", "parts", "ms", "check", "sheets", "bound", "yield", "spyrrow"
+        "set", "parts", "cpu ms", "check", "sheets", "bound", "yield", "spyrrow"
     );
     for count in [100, 1000] {
         for (name, parts) in all(count) {
             let nested = nest(&parts, &SHEET);
             assert_eq!(faults(&parts, &SHEET, &nested), [], "{name}");
             assert!(nested.unplaced.is_empty(), "{name}");
-            let time = median(5, || drop(black_box(nest(&parts, &SHEET))));
+            let runs = (0..5).map(|_| cpu_time(|| drop(black_box(nest(&parts, &SHEET)))));
+            let time = middle(runs.collect());
             let check = median(5, || drop(black_box(faults(&parts, &SHEET, &nested))));
             let sum: f64 = parts.iter().map(|part| area(&part.outline)).sum();
             let strip = python.as_ref().map_or("-".to_owned(), |python| {

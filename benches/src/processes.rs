@@ -43,6 +43,17 @@ pub fn time(work: impl FnOnce()) -> Duration {
     start.elapsed()
 }
 
+/// What the processor did for this process meanwhile: what others do on the machine counts little for it.
+pub fn cpu_time(work: impl FnOnce()) -> Duration {
+    let now = || {
+        let now = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+        Duration::try_from(now).unwrap_or_default()
+    };
+    let start = now();
+    work();
+    now().saturating_sub(start)
+}
+
 /// The middle one of some times; of none, nothing.
 pub fn middle(mut times: Vec<Duration>) -> Duration {
     times.sort_unstable();

@@ -138,7 +138,9 @@ def lines(paths):
 
 def holes_of(full, outlines):
     """What the full-depth path leaves of each part, and what is wrong with that."""
-    holes = [Polygon(ring) for ring in getattr(full, "interiors", [])]
+    # The slots around parts that lie apart do not touch each other.
+    slots = getattr(full, "geoms", [full])
+    holes = [Polygon(ring) for slot in slots for ring in getattr(slot, "interiors", [])]
     if len(outlines) == 1 and len(holes) != 1:
         return None, f"the full-depth path leaves {len(holes)} parts, not one"
     found = []

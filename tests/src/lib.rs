@@ -18,6 +18,7 @@ pub mod invariants;
 pub mod layout;
 pub mod outcome;
 pub mod pages;
+pub mod programs;
 pub mod referees;
 pub mod sources;
 pub mod suite;

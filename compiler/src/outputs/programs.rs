@@ -2,7 +2,8 @@
 
 use super::machines::machines;
 use super::names::safe_file_name;
-use super::nests::Nests;
+use super::nests::{Nests, SheetNest};
+use super::sheet_programs::is_wanted;
 use super::{Making, Output, Selection, design_hash};
 use crate::analysis::{Analysis, Elements, Fabrication, Programs, number};
 use crate::diagnostic::{Code, Diagnostic};
@@ -43,6 +44,11 @@ impl Block<'_> {
     /// The boards that are wanted, each with its place among those of the block, in order.
     pub(super) fn jobs(&self) -> impl Iterator<Item = (usize, &CutJob)> {
         self.all.iter().enumerate().filter(|(place, _)| self.wanted[*place])
+    }
+
+    /// Whether a board is wanted, by its place among those of the block.
+    pub(super) fn wants(&self, place: usize) -> bool {
+        self.wanted.get(place).copied().unwrap_or(false)
     }
 
     /// A board by its place among those of the block.
@@ -90,7 +96,7 @@ pub(super) fn programs(
     watch: &mut dyn FnMut(Making),
 ) -> (Vec<Output>, Vec<Diagnostic>) {
     let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
-    let in_sheets = cut_in_sheets(nests);
+    let in_sheets = cut_in_sheets(blocks, nests);
     for (place, block) in blocks.iter().enumerate() {
         if let Some((_, span)) = &block.machine {
             let alone = block.jobs().filter(|(board, _)| !in_sheets.contains(&(place, *board)));
@@ -102,9 +108,14 @@ pub(super) fn programs(
 }
 
 /// The boards, by block and place in it, that are cut by the programs of their sheets alone.
-fn cut_in_sheets(nests: &Nests) -> BTreeSet<(usize, usize)> {
+fn cut_in_sheets(blocks: &[Block<'_>], nests: &Nests) -> BTreeSet<(usize, usize)> {
     let nests = nests.sheets.iter().filter(|nest| nest.programs == Programs::Sheets);
-    nests.flat_map(|nest| nest.nested.placements.iter().map(|placed| nest.named[placed.part].place)).collect()
+    let of_nest = |nest: &SheetNest| -> Vec<(usize, usize)> {
+        let cut: Vec<bool> = (0..nest.nested.sheets).map(|sheet| is_wanted(blocks, nest, sheet)).collect();
+        let placed = nest.nested.placements.iter().filter(|placed| cut[placed.sheet]);
+        placed.map(|placed| nest.named[placed.part].place).collect()
+    };
+    nests.flat_map(of_nest).collect()
 }
 
 /// A board that gets no program, and why.

@@ -4,7 +4,7 @@
 use super::drawings::{DESIGN, NOTES, cut_layer, designs, engraved_layer};
 use super::nests::{Nests, SheetNest};
 use super::programs::Block;
-use super::sheet_programs::{block_of, laid_out};
+use super::sheet_programs::{block_of, is_wanted, laid_out};
 use super::sheets::sheet_path;
 use super::{Content, Output};
 use crate::export::dxf::{Colour, Drawing};
@@ -25,6 +25,7 @@ pub(super) fn drawings(blocks: &[Block<'_>], nests: &Nests) -> Vec<Output> {
         outlines.map(|(address, outline, _)| (address, outline)).collect();
     let sheets = nests.sheets.iter().flat_map(|nest| (0..nest.nested.sheets).map(move |sheet| (nest, sheet)));
     sheets
+        .filter(|(nest, place)| is_wanted(blocks, nest, *place))
         .map(|(nest, place)| {
             let drawing = drawing(blocks, nest, &laid_out(blocks, nest, place), &outlines);
             Output::of_design(&sheet_path(&nest.names[place], "dxf"), "drawing", Content::Drawing(drawing))
@@ -57,7 +58,8 @@ fn drawing(
         }
         let (low, high) = bounds(&lying(part, &part.job.outline));
         let height = ((high - low).min_element() / 25.0).clamp(1.0, 10.0);
-        drawing.text(notes, (low + high) / 2.0, height, 0.0, &part.job.address);
+        // Beside the lower left corner, where nothing is engraved.
+        drawing.text(notes, low + DVec2::splat(1.5 * height), height, 0.0, &part.job.address);
     }
     let thickness = fixed(nest.thickness, 1).unwrap_or_default();
     let about = format!("sheet {}: {}, {thickness} mm", sheet.name, nest.material);

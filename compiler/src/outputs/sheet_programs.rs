@@ -19,13 +19,14 @@ const ROTATIONS: [Rotation; 4] = [Rotation::None, Rotation::Quarter, Rotation::H
 /// How many sheets that cannot be cut are named.
 const NAMED: usize = 5;
 
-/// The programs of all sheets whose machine is known, or what speaks against them; `before` is how many programs there
-/// are already.
+/// The programs of all sheets that are wanted whole and whose machine is known, or what speaks against them; `before` is
+/// how many programs there are already.
 pub(super) fn programs(blocks: &[Block<'_>], nests: &Nests, before: usize) -> (Vec<Output>, Vec<Diagnostic>) {
     let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
     for nest in nests.sheets.iter().filter(|nest| nest.programs != Programs::Boards) {
         let mut failures = Vec::new();
-        for (place, name) in nest.names.iter().enumerate() {
+        let wanted = nest.names.iter().enumerate().filter(|(place, _)| is_wanted(blocks, nest, *place));
+        for (place, name) in wanted {
             let number =
                 u32::try_from(before + outputs.len()).map_or(u32::MAX, |last| last.saturating_add(1));
             match one(blocks, nest, place, number) {
@@ -42,6 +43,15 @@ pub(super) fn programs(blocks: &[Block<'_>], nests: &Nests, before: usize) -> (V
         }
     }
     (outputs, diagnostics)
+}
+
+/// Whether all boards of a sheet are wanted: its program and its drawing are of all of them.
+pub(super) fn is_wanted(blocks: &[Block<'_>], nest: &SheetNest, place: usize) -> bool {
+    let mut here = nest.nested.placements.iter().filter(|placement| placement.sheet == place);
+    here.all(|placement| {
+        let (block, board) = nest.named[placement.part].place;
+        blocks.get(block).is_some_and(|block| block.wants(board))
+    })
 }
 
 /// The boards of a sheet as they lie, in their order.

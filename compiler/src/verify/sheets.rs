@@ -139,7 +139,7 @@ fn refused(part: &Part, status: &str, report: &Report, findings: &mut Findings) 
         |value: &Value, name: &str| value.get(name).and_then(Value::as_str).unwrap_or_default().to_owned();
     let reason =
         all.filter(|value| text(value, "address") == part.address).map(|value| text(value, "reason"));
-    let expected = reason.last().unwrap_or_else(|| "placed".to_owned());
+    let expected = reason.collect::<Vec<_>>().pop().unwrap_or_else(|| "placed".to_owned());
     findings.same(LIST, &format!("status of {}", part.address), &expected, status);
 }
 
@@ -182,8 +182,7 @@ fn of_sheet(name: &str, raw: Raw, sheet: &Value, here: &[&Lying], findings: &mut
     for (place, board) in here.iter().enumerate() {
         let (low, high) = bounds(&board.outline);
         let room = low.min_element().min((raw.size - high).min_element());
-        // Not-a-number is outside too.
-        if !(room >= raw.margin - NEAR) {
+        if room.is_nan() || room < raw.margin - NEAR {
             findings.add(LIST, format!("{} to the edge of its sheet", board.address), raw.margin, room);
         }
         for other in &here[..place] {

@@ -6,6 +6,10 @@ import { build, showReport } from "./commands";
 import { program } from "./program";
 
 let client: LanguageClient | undefined;
+/** The program that was started last. */
+let started: string | undefined;
+/** Starts and restarts, one after the other. */
+let turn: Promise<void> = Promise.resolve();
 
 /** Called by the editor when a design is opened. */
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
@@ -14,10 +18,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.commands.registerCommand("ifs.showReport", (uri) => showReport(context.globalStorageUri, uri)),
     vscode.commands.registerCommand("ifs.restart", restart),
     vscode.workspace.onDidChangeConfiguration((change) => {
-      if (change.affectsConfiguration("ifs.server")) void restart();
+      if (change.affectsConfiguration("ifs.server") && program() !== started) void restart();
     }),
   );
-  await start();
+  await restart();
 }
 
 /** Called by the editor at its end. */
@@ -27,6 +31,7 @@ export async function deactivate(): Promise<void> {
 
 async function start(): Promise<void> {
   const command = program();
+  started = command;
   // No transport is named: the client would add `--stdio`.
   const server: ServerOptions = { command, args: ["lsp"] };
   client = new LanguageClient("ifs", "ifs", server, {
@@ -42,9 +47,12 @@ async function start(): Promise<void> {
   }
 }
 
-async function restart(): Promise<void> {
-  const old = client;
-  client = undefined;
-  await old?.dispose().catch(() => undefined);
-  await start();
+function restart(): Promise<void> {
+  turn = turn.then(async () => {
+    const old = client;
+    client = undefined;
+    await old?.dispose().catch(() => undefined);
+    await start();
+  });
+  return turn;
 }

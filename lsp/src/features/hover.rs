@@ -73,7 +73,7 @@ fn declared(analysis: &Analysis, made: Option<&Analysis>, declaration: &Declarat
             Type::Error => String::new(),
             ref ty => format!(": {}", type_name(&analysis.hir.items, ty)),
         };
-        code(&format!("{word} {}{ty}", declaration.name).trim_start().to_owned())
+        code(format!("{word} {}{ty}", declaration.name).trim_start())
     };
     Some(match declaration.kind {
         DeclarationKind::Item(id) => item(analysis, made, declaration, id)?,

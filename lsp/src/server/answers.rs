@@ -1,6 +1,6 @@
 //! Answers in the protocol's types, each from one feature.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use ifs_compiler::analysis::{Analysis, read_indexed};
@@ -156,13 +156,13 @@ pub(super) fn rename(snapshot: &Snapshot, position: Position, new: &str) -> Resu
     let (_, declared) = rename::prepare(&snapshot.analysis, snapshot.analysis.root, at)?;
     let places =
         everywhere(snapshot, declared, |analysis, declared| rename::rename(analysis, declared, new))?;
-    // Clients take a map whose order they do not look at.
-    let mut changes: HashMap<Uri, Vec<TextEdit>> = HashMap::new();
-    for place in places {
-        let Some(uri) = snapshot.uri(&place.path) else { continue };
-        changes.entry(uri).or_default().push(TextEdit { range: place.range(), new_text: new.to_owned() });
+    let mut changes: BTreeMap<&PathBuf, Vec<TextEdit>> = BTreeMap::new();
+    for place in &places {
+        let edit = TextEdit { range: place.range(), new_text: new.to_owned() };
+        changes.entry(&place.path).or_default().push(edit);
     }
-    Ok(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() })
+    let changes = changes.into_iter().filter_map(|(path, edits)| Some((snapshot.uri(path)?, edits)));
+    Ok(WorkspaceEdit { changes: Some(changes.collect()), ..WorkspaceEdit::default() })
 }
 
 pub(super) fn symbol_kind(kind: symbols::SymbolKind) -> SymbolKind {

@@ -1,7 +1,7 @@
 //! Diagnostics that the client pulls: of a document, and of the whole workspace. What has not changed since it was last told
 //! is said to be so.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -26,7 +26,8 @@ pub(super) fn pulled(snapshot: &Snapshot, known: Option<&str>, related: bool) ->
         let found = snapshot.diagnostics.iter().filter(|found| found.span.file == file);
         found.map(|one| diagnostic(&snapshot.places, &snapshot.analysis, one, snapshot.encoding)).collect()
     };
-    let related_documents = related.then(|| others(snapshot, of)).filter(|others| !others.is_empty());
+    let others = related.then(|| others(snapshot, of)).filter(|others| !others.is_empty());
+    let related_documents = others.map(|others| others.into_iter().collect());
     match report(of(root), known) {
         Report::Same(result_id) => {
             DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
@@ -48,7 +49,7 @@ pub(super) fn pulled(snapshot: &Snapshot, known: Option<&str>, related: bool) ->
 fn others(
     snapshot: &Snapshot,
     of: impl Fn(FileId) -> Vec<Diagnostic>,
-) -> HashMap<Uri, DocumentDiagnosticReportKind> {
+) -> Vec<(Uri, DocumentDiagnosticReportKind)> {
     let files = snapshot.analysis.files.iter().map(|file| file.file);
     let others = files.filter(|file| *file != snapshot.analysis.root).filter_map(|file| {
         let path = snapshot.places.path(&snapshot.analysis, file)?;

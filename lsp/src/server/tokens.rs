@@ -20,28 +20,36 @@ pub(super) fn legend() -> SemanticTokensLegend {
 /// The tokens last told of each document, by which the next ones are told.
 #[derive(Default)]
 pub(super) struct Told {
-    inner: Mutex<(u64, BTreeMap<String, (String, Vec<SemanticToken>)>)>,
+    inner: Mutex<Inner>,
+}
+
+#[derive(Default)]
+struct Inner {
+    /// How many were told: the name of the last.
+    count: u64,
+    /// By document: the name, and the tokens.
+    last: BTreeMap<String, (String, Vec<SemanticToken>)>,
 }
 
 impl Told {
     /// Keeps what is told of a document and gives it a name.
     fn keep(&self, uri: &str, tokens: &[SemanticToken]) -> String {
         let mut inner = self.inner.lock().unwrap_or_else(PoisonError::into_inner);
-        inner.0 += 1;
-        let id = inner.0.to_string();
-        inner.1.insert(uri.to_owned(), (id.clone(), tokens.to_vec()));
+        inner.count += 1;
+        let id = inner.count.to_string();
+        inner.last.insert(uri.to_owned(), (id.clone(), tokens.to_vec()));
         id
     }
 
     /// What was told of a document by this name.
     fn known(&self, uri: &str, id: &str) -> Option<Vec<SemanticToken>> {
         let inner = self.inner.lock().unwrap_or_else(PoisonError::into_inner);
-        inner.1.get(uri).filter(|(known, _)| known == id).map(|(_, tokens)| tokens.clone())
+        inner.last.get(uri).filter(|(known, _)| known == id).map(|(_, tokens)| tokens.clone())
     }
 
     /// Nothing is told of a document that is closed.
     pub(super) fn forget(&self, uri: &str) {
-        self.inner.lock().unwrap_or_else(PoisonError::into_inner).1.remove(uri);
+        self.inner.lock().unwrap_or_else(PoisonError::into_inner).last.remove(uri);
     }
 
     pub(super) fn whole(&self, uri: &str, tokens: Vec<SemanticToken>) -> SemanticTokens {

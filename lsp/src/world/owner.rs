@@ -269,7 +269,7 @@ impl Owner {
         let mut wrong = self.designs.wrong(&open);
         let said = wrong.keys().cloned().collect();
         for gone in std::mem::replace(&mut self.published, said) {
-            wrong.entry(gone).or_insert_with(Wrong::default);
+            wrong.entry(gone).or_default();
         }
         self.outbox.put(|news| news.wrong.extend(wrong));
     }

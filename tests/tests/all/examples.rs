@@ -14,9 +14,10 @@ use ifs_compiler::analysis::{Elements, PanelsMade, PlanksMade};
 use ifs_compiler::geometry::Diagonal;
 use ifs_tests::designs::{analysis_of, example_path, example_text, examples};
 use ifs_tests::outcome::run;
+use ifs_tests::programs::expected_program;
 use ifs_tests::referees::{Verdict, gltf_validator, python_referee};
 use ifs_tests::{program, scratch};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// An example as it was built.
 struct Built {
@@ -60,7 +61,7 @@ const REFEREES: &[(&str, Referee)] = &[
     }),
 ];
 
-/// What each program must cut, out of the analysis: the outline moved to where the program's header says it lies.
+/// What each program must cut, out of the analysis.
 fn expected_programs(built: &Built) -> Vec<Value> {
     let analysis = analysis_of(&example_text(&built.name));
     let parts = analysis.fabrications.iter().flat_map(|made| match &made.elements {
@@ -75,19 +76,7 @@ fn expected_programs(built: &Built) -> Vec<Value> {
     });
     let listed: Vec<Value> = parts
         .map(|(address, outline, thickness)| {
-            let file = format!("{address}.nc");
-            let text = fs::read_to_string(built.folder.join("boards").join(&file)).unwrap();
-            let after = |start: &str| -> f64 {
-                let line = text.lines().find_map(|line| line.strip_prefix(start)).unwrap();
-                line.split(' ').next().unwrap().parse().unwrap()
-            };
-            let diameter = after("(tool: 1 diameter ");
-            let at = text.lines().find_map(|line| line.strip_prefix("(at: ")).unwrap();
-            let mut at = at.split(' ').filter_map(|word| word.parse::<f64>().ok());
-            let corner = (at.next().unwrap(), at.next().unwrap());
-            let points: Vec<Value> =
-                outline.iter().map(|point| json!([point.x + corner.0, point.y + corner.1])).collect();
-            json!({ "file": file, "outline": points, "tool_diameter": diameter, "thickness": thickness })
+            expected_program(&built.folder.join("boards"), address, outline, thickness)
         })
         .collect();
     assert!(!listed.is_empty(), "{}: no boards", built.name);

@@ -273,8 +273,8 @@ fn editor() -> Value {
     })
 }
 
-fn fixture() -> (Client, Value, String) {
-    let folder = scratch("lsp_capabilities");
+fn fixture(test: &str) -> (Client, Value, String) {
+    let folder = scratch(test);
     fs::write(folder.join("ifs.toml"), "").unwrap();
     fs::write(folder.join("design.ifs"), DESIGN).unwrap();
     fs::write(folder.join("ribs.ifs"), RIBS).unwrap();
@@ -306,7 +306,7 @@ fn ask(client: &mut Client, uri: &str, row: &Row) -> Result<Value, Refused> {
 
 #[test]
 fn every_capability_answers_something_real() {
-    let (mut client, capabilities, uri) = fixture();
+    let (mut client, capabilities, uri) = fixture("lsp_capabilities_answer");
     // What is worked out in the background is known when the server asks to be asked again.
     client.wait("a refresh", |message| message["method"] == "workspace/diagnostic/refresh");
     for row in ROWS {
@@ -322,7 +322,7 @@ fn every_capability_answers_something_real() {
 
 #[test]
 fn everything_advertised_is_asked_for() {
-    let (client, capabilities, _) = fixture();
+    let (client, capabilities, _) = fixture("lsp_capabilities_asked");
     let mut missing = BTreeSet::new();
     for (name, said) in capabilities.as_object().unwrap() {
         let provided = |pointer: &str| ROWS.iter().any(|row| row.capability == pointer);
@@ -353,7 +353,7 @@ fn everything_advertised_is_asked_for() {
 
 #[test]
 fn what_is_not_advertised_is_refused() {
-    let (mut client, _, uri) = fixture();
+    let (mut client, _, uri) = fixture("lsp_capabilities_refused");
     for method in METHODS {
         if ROWS.iter().any(|row| row.method == *method) {
             continue;

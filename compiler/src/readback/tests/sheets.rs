@@ -90,8 +90,11 @@ fn a_part_that_is_not_where_it_should_be_is_found() {
     assert!(kinds(&fewer).contains(&FaultKind::Header));
 }
 
+/// What becomes of a place.
+type Change = fn(f64, f64) -> (f64, f64);
+
 /// The program with the X and Y of the contour of one part changed, counted from 0; or without that contour.
-fn contour_changed(text: &str, part: usize, change: Option<fn(f64, f64) -> (f64, f64)>) -> String {
+fn contour_changed(text: &str, part: usize, change: Option<Change>) -> String {
     let mut contours = 0;
     let mut out = String::new();
     for line in text.lines() {
