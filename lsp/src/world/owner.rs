@@ -13,7 +13,7 @@ use super::background::{Background, Worked};
 use super::designs::Designs;
 use super::documents::{Change, Document, Encoding};
 use super::names::Names;
-use super::outbox::{Outbox, Wrong};
+use super::outbox::Outbox;
 use super::overlay::Open;
 use super::projects::Projects;
 use super::snapshot::Snapshot;
