@@ -7,9 +7,10 @@ use ifs_compiler::hir::tree::{ItemId, ItemKind};
 use ifs_compiler::hir::type_names::type_name;
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::hir::{ItemDocs, item_docs, library_docs, native_item_docs};
-use ifs_compiler::outputs::parameter_texts;
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
+
+use super::facts;
 
 /// Words on a place, as Markdown.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -90,11 +91,12 @@ fn declared(analysis: &Analysis, made: Option<&Analysis>, declaration: &Declarat
         DeclarationKind::Local => typed("let"),
         DeclarationKind::Running => typed("for"),
         DeclarationKind::Transform(owner) => {
-            format!(
-                "{}\ntransform of `{}`",
-                code(&line_of(analysis, declaration.span)),
-                analysis.hir.item(owner).name
-            )
+            let ifs = &analysis.hir.item(owner).name;
+            let mut text = format!("{}\ntransform of `{ifs}`", code(&line_of(analysis, declaration.span)));
+            if let Some(facts) = made.and_then(|made| facts::of_transform(made, ifs, &declaration.name)) {
+                text += &format!("\n\n---\n{facts}");
+            }
+            text
         }
         DeclarationKind::Boundary(owner) => {
             format!(
@@ -132,7 +134,7 @@ fn item(
         docs.signature += &format!(": {}", type_name(&analysis.hir.items, &declaration.ty));
     }
     let mut text = documented(&docs);
-    if let Some(facts) = made.and_then(|made| facts(made, &declaration.name)) {
+    if let Some(facts) = made.and_then(|made| facts::of_item(made, &declaration.name)) {
         text += &format!("\n\n---\n{facts}");
     }
     Some(text)
@@ -163,26 +165,6 @@ fn field_docs(analysis: &Analysis, span: Span, place: usize) -> Option<String> {
     };
     let docs: Vec<&str> = fields.get(place)?.docs.iter().map(|line| line.trim()).collect();
     (!docs.is_empty()).then(|| docs.join("\n"))
-}
-
-/// What the design made of a parameter or a figure.
-fn facts(made: &Analysis, name: &str) -> Option<String> {
-    if let Some((_, value)) = parameter_texts(made).into_iter().find(|(parameter, _)| parameter == name) {
-        return Some(format!("value `{value}`"));
-    }
-    let lowered = made.plan.as_ref()?;
-    let counted = lowered.plan.figures().iter().zip(&lowered.counts);
-    let figures: Vec<_> = counted.filter(|(figure, _)| figure.name == name).collect();
-    let (first, _) = figures.first()?;
-    let elements: u64 = figures.iter().map(|(_, count)| count.elements).sum();
-    let mut text = match figures.len() {
-        1 => format!("{elements} elements at level {}", first.shape.level_words()),
-        several => format!("{several} figures, {elements} elements"),
-    };
-    if figures.iter().all(|(figure, _)| figure.shape.planar_by_construction()) {
-        text += ", planar by construction";
-    }
-    Some(text)
 }
 
 fn module(analysis: &Analysis, file: FileId) -> Option<String> {

@@ -4,6 +4,7 @@
 pub(crate) mod calls;
 pub(crate) mod completion;
 pub(crate) mod definition;
+mod facts;
 pub(crate) mod fixes;
 #[cfg(test)]
 mod fixture;
