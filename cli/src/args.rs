@@ -47,7 +47,15 @@ pub enum Command {
     /// Explain a diagnostic code
     Explain(Explain),
     /// Serve editors: the language server on standard input and output
-    Lsp,
+    Lsp(Lsp),
+}
+
+/// `ifs lsp`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct Lsp {
+    /// Over standard input and output, which is the only way: many editors say it
+    #[arg(long)]
+    pub stdio: bool,
 }
 
 /// `ifs check`.
@@ -268,9 +276,11 @@ impl Cli {
             Command::Build(build) => build.settings.as_slice(),
             Command::Test(test) => test.settings.as_slice(),
             Command::Params(params) => params.settings.as_slice(),
-            Command::Fmt(_) | Command::Verify(_) | Command::Doc(_) | Command::Explain(_) | Command::Lsp => {
-                &[]
-            }
+            Command::Fmt(_)
+            | Command::Verify(_)
+            | Command::Doc(_)
+            | Command::Explain(_)
+            | Command::Lsp(_) => &[],
         };
         for (index, setting) in settings.iter().enumerate() {
             if settings[..index].iter().any(|earlier| earlier.name == setting.name) {
@@ -307,6 +317,13 @@ mod tests {
         assert_eq!(build.out, Some(PathBuf::from("out/a")));
         assert_eq!(build.emit, [Emit::Glb, Emit::Nc]);
         assert_eq!(build.settings[1], Setting { name: "rise".into(), value: "2*1m".into() });
+    }
+
+    #[test]
+    fn the_server_takes_what_editors_say_by_habit() {
+        let stdio = |line| matches!(read(line).unwrap().command, Command::Lsp(Lsp { stdio: true }));
+        assert!(stdio("ifs lsp --stdio"));
+        assert!(!stdio("ifs lsp"));
     }
 
     #[test]

@@ -36,7 +36,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Exit {
         Command::Verify(verify) => commands::verify::verify(verify, cli.message_format),
         Command::Params(params) => commands::params::params(params, cli.message_format),
         Command::Doc(doc) => commands::doc::doc(doc),
-        Command::Lsp => commands::lsp::lsp(),
+        Command::Lsp(_) => commands::lsp::lsp(),
         Command::Explain(explain) => commands::explain::explain(explain),
     }
 }
