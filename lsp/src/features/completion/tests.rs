@@ -1,3 +1,5 @@
+//! Texts with a cursor, and what is offered there.
+
 use super::*;
 use crate::features::fixture::{fixture, with_files};
 
