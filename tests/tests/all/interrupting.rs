@@ -166,7 +166,7 @@ fn a_build_that_waits_can_be_stopped() {
 #[test]
 fn a_line_of_progress_on_a_terminal_and_nowhere_else() {
     let root = scratch("interrupting-progress");
-    let text = planarized().replace("iterations: 400", "iterations: 1000");
+    let text = planarized().replace("iterations: 400", "iterations: 4000");
     let design = written(&root, "smooth.ifs", &text);
     let ifs = program_path(is_release());
     let out = root.join("out");
@@ -185,7 +185,19 @@ fn a_line_of_progress_on_a_terminal_and_nowhere_else() {
     let (states, data) = on_a_terminal(&[]);
     assert!(states.iter().any(|line| line.starts_with("planarizing shell, step ")), "{states:?}");
     assert!(states.iter().any(|line| line.contains("] programs made and read back, ")), "{states:?}");
-    assert!(states.iter().any(|line| line.contains("] files written, ")), "{states:?}");
+    // What is done in less than a tick is never drawn; what is drawn is one of these.
+    let stages = [
+        "working the design out, ",
+        "planarizing shell, step ",
+        "making boards of shell, ",
+        "programs made and read back, ",
+        "nesting, ",
+        "making lists and drawings, ",
+        "making the report, ",
+        "files written, ",
+    ];
+    let known = |line: &String| line.is_empty() || stages.iter().any(|stage| line.contains(stage));
+    assert!(states.iter().all(known), "{states:?}");
     let longest = states.iter().map(|line| line.chars().count()).max();
     assert_eq!(longest, Some(59), "{states:?}");
     assert!(data.contains("1024 boards"), "{data}");
