@@ -67,18 +67,11 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
     let (mut blocks, mut diagnostics) = (Vec::new(), Vec::new());
     let hash = design_hash(analysis);
     for made in &analysis.fabrications {
-        let setting = |wanted: &str| {
-            made.settings.iter().find(|(name, _, _)| *name == wanted).map(|(_, value, span)| (value, *span))
-        };
-        let machines = setting("machine").map(|(value, span)| {
-            let machines = machines(&analysis.hir, value, span, setting("fixing"))?;
-            Ok((machines, span))
-        });
         let all = jobs(analysis, made, &hash);
         let wanted = all.iter().map(|job| selection.takes(&job.address, &job.alias)).collect();
-        match machines.transpose() {
-            Ok(machines) => {
-                let (mut machines, span) = machines.unwrap_or_default();
+        match machines_of(analysis, made) {
+            Ok(found) => {
+                let (mut machines, span) = found.unwrap_or_default();
                 let spares = machines.split_off(machines.len().min(1));
                 let machine = machines.pop().map(|machine| (machine, span));
                 blocks.push(Block { made, machine, spares, all, wanted });
@@ -87,6 +80,21 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
         }
     }
     (blocks, diagnostics)
+}
+
+/// The machine of a block, as [`machines`] gives it, and where the design names it; none where it names none.
+///
+/// # Errors
+/// E0804: its figures are out of range.
+pub(super) fn machines_of(
+    analysis: &Analysis,
+    made: &Fabrication,
+) -> Result<Option<(Vec<Machine>, Span)>, Diagnostic> {
+    let setting = |wanted: &str| {
+        made.settings.iter().find(|(name, _, _)| *name == wanted).map(|(_, value, span)| (value, *span))
+    };
+    let Some((value, span)) = setting("machine") else { return Ok(None) };
+    Ok(Some((machines(&analysis.hir, value, span, setting("fixing"))?, span)))
 }
 
 /// The programs of the boards of every block with a machine, or what speaks against them.
@@ -233,7 +241,7 @@ fn jobs(analysis: &Analysis, made: &Fabrication, hash: &str) -> Vec<CutJob> {
 }
 
 /// Height and least height asked for, else those of the library's `Engraving`, mm.
-fn engraving(hir: &Hir, made: &Fabrication) -> (f64, f64) {
+pub(super) fn engraving(hir: &Hir, made: &Fabrication) -> (f64, f64) {
     let asked = made.settings.iter().find(|(name, _, _)| *name == "address").map(|(_, value, _)| value);
     let number = |name: &str| asked.and_then(|value| number(hir, value, name));
     (number("height").unwrap_or(12.0), number("least").unwrap_or(5.0))
