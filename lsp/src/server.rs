@@ -23,6 +23,7 @@ use tower_lsp::ls_types::*;
 use tower_lsp::{Client, LanguageServer};
 
 use crate::protocol::capabilities::capabilities;
+use crate::protocol::commands::Commands;
 use crate::protocol::convert::from_position;
 use crate::protocol::errors::failed;
 use crate::protocol::uri::{path_of, path_on_disk};
@@ -199,7 +200,8 @@ impl LanguageServer for Backend {
                 .and_then(|workspace| workspace.code_lens.as_ref())
                 .is_some_and(|lenses| lenses.refresh_support == Some(true)),
         };
-        let told = publish::Told { encoding, pulls, takes_related, watches, snippets, refreshed };
+        let commands = Commands::of(params.initialization_options.as_ref());
+        let told = publish::Told { encoding, pulls, takes_related, watches, snippets, commands, refreshed };
         let _ = self.settings.set(told);
         #[allow(deprecated, reason = "older clients say no other")]
         let root = params.root_uri.into_iter();
@@ -413,8 +415,8 @@ impl LanguageServer for Backend {
     }
 
     async fn code_lens(&self, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
-        let uri = params.text_document.uri;
-        self.ask(&uri.clone(), move |snapshot| Some(shown::lenses(snapshot, &uri))).await
+        let (uri, commands) = (params.text_document.uri, self.told().commands);
+        self.ask(&uri.clone(), move |snapshot| Some(shown::lenses(snapshot, &uri, commands))).await
     }
 
     async fn folding_range(&self, params: FoldingRangeParams) -> Result<Option<Vec<FoldingRange>>> {

@@ -8,44 +8,48 @@ use ifs_compiler::hir::schema::Measure;
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
 
-/// What a click does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Act {
-    /// Nothing: it is only said.
-    None,
+/// What a lens shows or does.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Shows {
+    /// Words; a click does nothing.
+    Said(String),
     /// Writes the outputs of the design.
     Build,
     /// Shows the report of the design.
-    ShowReport,
+    Report,
+    /// Shows the outputs of the boards or planks of this figure.
+    Preview(String),
 }
 
 /// A line above another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Lens {
     pub(crate) span: Span,
-    pub(crate) title: String,
-    pub(crate) act: Act,
+    pub(crate) shows: Shows,
 }
 
-/// The lenses of a file; `made` is the design worked out as it is now.
+/// The lenses of a file; `made` is the design worked out as it is now. What is done with the whole design stands above its
+/// first fabricate block.
 pub(crate) fn lenses(analysis: &Analysis, made: Option<&Analysis>, file: FileId) -> Vec<Lens> {
     let Some(parsed) = analysis.files.iter().find(|parsed| parsed.file == file) else { return Vec::new() };
     let mut found = Vec::new();
+    let mut is_first = true;
     for item in &parsed.parse.ast.items {
         match &item.kind {
             ast::ItemKind::Figure(figure) => {
-                let title = made.and_then(|made| counted(made, &figure.name.text));
-                found.extend(title.map(|title| Lens { span: figure.name.span, title, act: Act::None }));
+                let said = made.and_then(|made| counted(made, &figure.name.text));
+                found.extend(said.map(|said| Lens { span: figure.name.span, shows: Shows::Said(said) }));
             }
             ast::ItemKind::Fabricate(block) => {
                 let span = block.figure.span;
+                let figure = &block.figure.text;
                 let made = made
-                    .and_then(|made| made.fabrications.iter().find(|made| made.figure == block.figure.text));
-                let title = made.map(fabricated);
-                found.extend(title.map(|title| Lens { span, title, act: Act::None }));
-                let act = |title: &str, act| Lens { span, title: title.to_owned(), act };
-                found.push(act("build", Act::Build));
-                found.push(act("show report", Act::ShowReport));
+                    .and_then(|made| made.fabrications.iter().find(|made| made.figure == *figure))
+                    .map(|made| Shows::Said(fabricated(made)));
+                let whole = if is_first { vec![Shows::Build, Shows::Report] } else { Vec::new() };
+                is_first = false;
+                let own = (!figure.is_empty()).then(|| Shows::Preview(figure.clone()));
+                found.extend(made.into_iter().chain(whole).chain(own).map(|shows| Lens { span, shows }));
             }
             _ => {}
         }
@@ -141,11 +145,13 @@ mod tests {
         let design = fixture(text);
         let shown = |made: Option<&Analysis>| {
             let lenses = lenses(&design.analysis, made, design.analysis.root);
-            let shown =
-                lenses.iter().map(|lens| format!("{}: {}", written(&design.analysis, lens.span), lens.title));
+            let shown = lenses.iter().map(|lens| match &lens.shows {
+                Shows::Said(said) => format!("{}: {said}", written(&design.analysis, lens.span)),
+                shows => format!("{}: {shows:?}", written(&design.analysis, lens.span)),
+            });
             shown.collect::<Vec<_>>()
         };
-        assert_eq!(shown(None), ["shell: build", "shell: show report"]);
+        assert_eq!(shown(None), ["shell: Build", "shell: Report", "shell: Preview(\"shell\")"]);
         let made = design.made();
         let told = shown(Some(&made));
         assert_eq!(told[0], "shell: 16 elements · 25 vertices");

@@ -24,6 +24,7 @@ mod lsp_editors;
 mod lsp_edits;
 mod lsp_projects;
 mod lsp_protocol;
+mod lsp_shown;
 mod maps;
 mod messages;
 mod nasty;
