@@ -3,7 +3,7 @@
 use ifs_compiler::analysis::{Analysis, Elements, Fabrication, value_words};
 use ifs_compiler::fabricate::panel::PanelRefusal;
 use ifs_compiler::fabricate::plank::PlankRefusal;
-use ifs_compiler::geometry::MeshSummary;
+use ifs_compiler::geometry::{MeshSummary, QuadMesh};
 use ifs_compiler::hir::schema::Measure;
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
@@ -90,18 +90,22 @@ fn grouped(count: u64) -> String {
     text
 }
 
+/// The planarity of the least planar quad of some surfaces.
+pub(super) fn worst_planarity<'a>(surfaces: impl Iterator<Item = &'a QuadMesh>) -> Option<String> {
+    let worst = surfaces.filter_map(|surface| MeshSummary::of(surface).worst);
+    let worst = worst.map(|extreme| extreme.value).min_by(f64::total_cmp)?;
+    Some(value_words(Measure::Planarity, worst))
+}
+
 /// What a block made: `1 024 boards · worst planarity 0.9996 · 2 too long`.
-fn fabricated(made: &Fabrication) -> String {
+pub(super) fn fabricated(made: &Fabrication) -> String {
     let mut parts = Vec::new();
     let total = made.elements.total() as u64;
     let refused = match &made.elements {
         Elements::Panels(panels) => {
             parts.push(plural(total, "board"));
-            let worst = panels.figures.iter().filter_map(|figure| MeshSummary::of(&figure.built).worst);
-            let worst = worst.map(|extreme| extreme.value).min_by(f64::total_cmp);
-            parts.extend(
-                worst.map(|worst| format!("worst planarity {}", value_words(Measure::Planarity, worst))),
-            );
+            let worst = worst_planarity(panels.figures.iter().map(|figure| &figure.built));
+            parts.extend(worst.map(|worst| format!("worst planarity {worst}")));
             let large = |reason: &PanelRefusal| matches!(reason, PanelRefusal::TooLarge { .. });
             let large = panels.refused.iter().filter(|refused| large(&refused.reason)).count();
             if large > 0 {

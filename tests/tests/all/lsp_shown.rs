@@ -89,3 +89,106 @@ fn others_are_told_what_came_out_and_nothing_to_click() {
         client.finish();
     }
 }
+
+/// The text with the hints of the server in it, each in `‹…›`, put where its columns say.
+fn with_hints(client: &mut Client, uri: &str, text: &str, utf8: bool) -> String {
+    let range = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 9999, "character": 0 } });
+    let asked = json!({ "textDocument": { "uri": uri }, "range": range });
+    let found = client.request("textDocument/inlayHint", asked).unwrap();
+    let mut lines: Vec<String> = text.split('\n').map(str::to_owned).collect();
+    for hint in found.as_array().unwrap().iter().rev() {
+        let number = |name: &str| usize::try_from(hint["position"][name].as_u64().unwrap()).unwrap();
+        let line = &mut lines[number("line")];
+        let at = byte(line, number("character"), utf8);
+        line.insert_str(at, &format!("‹{}›", hint["label"].as_str().unwrap()));
+    }
+    lines.join("\n")
+}
+
+/// The byte of a column of a line.
+fn byte(line: &str, column: usize, utf8: bool) -> usize {
+    let mut counted = 0;
+    for (at, c) in line.char_indices() {
+        if counted >= column {
+            return at;
+        }
+        counted += if utf8 { c.len_utf8() } else { c.len_utf16() };
+    }
+    assert!(counted == column, "column {column} is in {line:?}");
+    line.len()
+}
+
+/// The words that are coloured, in order, each with the number of its kind.
+fn coloured(client: &mut Client, uri: &str, text: &str, utf8: bool) -> Vec<(String, u64)> {
+    let asked = json!({ "textDocument": { "uri": uri } });
+    let found = client.request("textDocument/semanticTokens/full", asked).unwrap();
+    let numbers: Vec<usize> =
+        found["data"].as_array().unwrap().iter().map(|n| n.as_u64().unwrap() as usize).collect();
+    let lines: Vec<&str> = text.split('\n').map(|line| line.trim_end_matches('\r')).collect();
+    let (mut line, mut column) = (0, 0);
+    let words = numbers.chunks(5).map(|token| {
+        (line, column) = if token[0] == 0 { (line, column + token[1]) } else { (line + token[0], token[1]) };
+        let (from, to) = (byte(lines[line], column, utf8), byte(lines[line], column + token[2], utf8));
+        (lines[line][from..to].to_owned(), token[3] as u64)
+    });
+    words.collect()
+}
+
+#[test]
+fn hints_and_colours_in_either_columns() {
+    let text = "\
+use std.curves (bezier2)\r
+use std.materials (sawn_spruce)\r
+test \"🏠 ü\" { let 長 = 1 } /* 😀 one\r
+ of two lines 😀 */ fn f(name: Text, n: Int) -> Int = n let twice = f(\"🏠 é 🏠\", 2) * 2\r
+figure arch = /* 🏠 */ bezier2 on ((0m, 0m), (1m, 2m), (2m, 0m)) until edge <= 600mm\r
+";
+    // The same without what the language does not have, and with planks.
+    let planks = "\
+use std.curves (bezier2)\r
+use std.materials (sawn_spruce)\r
+fn f(name: Text, n: Int) -> Int = n let twice = f(\"🏠 é 🏠\", 2) * 2 // 😀\r
+figure arch = [bezier2 on ((0m, 0m), (1m, 2m), (2m, 0m)) until edge <= 600mm for name in [\"🏠\"]]\r
+fabricate arch as planks { material: sawn_spruce section: 100mm by 40mm require count <= 9 }\r
+";
+    let mut seen = Vec::new();
+    for encoding in ["utf-8", "utf-16"] {
+        let utf8 = encoding == "utf-8";
+        let (mut client, uri) = worked_out(&format!("lsp_hints_{encoding}"), &json!(null), encoding, planks);
+        let hints = with_hints(&mut client, &uri, planks, utf8);
+        for part in [
+            "twice‹: Int› = f(‹name:›\"🏠 é 🏠\", 2)",
+            "until edge <= 600mm‹level 3› for name",
+            "[\"🏠\"]]‹8 elements›",
+            "as planks‹8 planks · its requirement holds› {",
+            "require count <= 9‹8› }",
+        ] {
+            assert!(hints.contains(part), "no {part}:\n{hints}");
+        }
+        client.change(&uri, 2, json!([{ "text": text }]));
+        let words = coloured(&mut client, &uri, text, utf8);
+        for part in ["\"🏠 ü\"", "/* 😀 one", " of two lines 😀 */", "twice", "/* 🏠 */", "600mm"] {
+            assert!(words.iter().any(|(word, _)| word == part), "no {part}: {words:?}");
+        }
+        seen.push((hints, words));
+        client.finish();
+    }
+    assert_eq!(seen[0], seen[1]);
+}
+
+#[test]
+fn the_library_has_hints_and_colours_too() {
+    let (mut client, design) = worked_out("lsp_shown_library", &json!(null), "utf-16", ROOF);
+    let asked = json!({ "textDocument": { "uri": design }, "position": { "line": 0, "character": 18 } });
+    let place = client.request("textDocument/definition", asked).unwrap();
+    let library = place["uri"].as_str().unwrap().to_owned();
+    let text = fs::read_to_string(ifs_tests::root().join("stdlib/curves.ifs")).unwrap();
+    client.open(&library, &text);
+    let words = coloured(&mut client, &library, &text, false);
+    assert!(words.len() > 500 && words.iter().any(|(word, _)| word == "bspline2"), "{}", words.len());
+    let hints = with_hints(&mut client, &library, &text, false);
+    assert!(hints.contains("‹: Point›"), "{hints}");
+    let asked = json!({ "textDocument": { "uri": library } });
+    assert_eq!(client.request("textDocument/codeLens", asked).unwrap(), json!([]));
+    client.finish();
+}
