@@ -1,4 +1,5 @@
-//! Boards to be nested: of a shell whose quads are nearly alike, of one that is rough, and of quads of all sizes.
+//! Boards to be nested: of a shell whose quads are nearly alike, of one that is rough, of quads of all sizes, and of
+//! a rough shell at finer and finer levels, whose boards are smaller the more they are.
 
 use glam::DVec2;
 use ifs_compiler::nest::sheets::Part;
@@ -24,7 +25,15 @@ pub fn all(count: usize) -> Vec<(&'static str, Vec<Part>)> {
         ("rough", quads(count, (180.0, 420.0), (150.0, 330.0), 40.0, false)),
         ("grain free", quads(count, (180.0, 420.0), (150.0, 330.0), 40.0, true)),
         ("all sizes", quads(count, (60.0, 800.0), (50.0, 500.0), 30.0, true)),
+        ("one shell", finer(quads(count, (180.0, 420.0), (150.0, 330.0), 40.0, true))),
     ]
+}
+
+/// The boards made so small that all together keep the area of 256.
+fn finer(mut boards: Vec<Part>) -> Vec<Part> {
+    let scale = (256.0 / boards.len() as f64).sqrt();
+    boards.iter_mut().flat_map(|board| &mut board.outline).for_each(|corner| *corner *= scale);
+    boards
 }
 
 /// Quads of lengths and widths in a range, their corners moved by up to `skew`.

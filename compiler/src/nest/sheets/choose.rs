@@ -102,26 +102,29 @@ fn best(shapes: &Shapes, parts: &[usize], room: DVec2) -> Vec<Layout> {
     sheets
 }
 
-/// Moves parts of the emptiest sheets to where there is room on fuller ones, while that empties a sheet.
+/// Moves the parts of the emptiest sheet, the largest first, to where there is room on fuller ones, again while that
+/// empties a sheet. It ends with the first part that finds no room.
 fn save(shapes: &Shapes, sheets: &mut Vec<Layout>) {
     loop {
         sheets.sort_by(|a, b| b.area(shapes).total_cmp(&a.area(shapes)));
         let Some(mut last) = sheets.pop() else { return };
         let area = |item: &super::layout::Item| shapes.of(item).area;
         last.items.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.part.cmp(&b.part)));
-        last.items.retain(|item| {
-            for sheet in sheets.iter_mut().rev().take(EMPTIEST) {
-                if let Some(placed) = sheet.place(shapes, item.part) {
-                    sheet.items.push(placed);
-                    return false;
-                }
-            }
-            true
-        });
+        let stuck = last.items.iter().position(|item| !moved(shapes, sheets, item.part));
+        last.items.drain(..stuck.unwrap_or(last.items.len()));
         if !last.items.is_empty() {
             last.compact(shapes, ROUNDS);
             sheets.push(last);
             return;
         }
     }
+}
+
+/// Whether one of the emptiest sheets, which are the last, has room for a part; it lies there then.
+fn moved(shapes: &Shapes, sheets: &mut [Layout], part: usize) -> bool {
+    sheets.iter_mut().rev().take(EMPTIEST).any(|sheet| {
+        let placed = sheet.place(shapes, part);
+        sheet.items.extend(placed);
+        placed.is_some()
+    })
 }

@@ -75,14 +75,22 @@ impl Chains {
 
     /// The open interval of shifts along x by which `moving`, raised by `dy`, would overlap this polygon.
     pub(super) fn forbidden(&self, moving: &Chains, dy: f64) -> Option<(f64, f64)> {
+        let (from, to) = self.beside(moving, dy)?;
+        let before = -farthest(&self.left, &moving.right, dy, from, to, -1.0);
+        Some((before, farthest(&self.right, &moving.left, dy, from, to, 1.0)))
+    }
+
+    /// The end of that interval.
+    pub(super) fn past(&self, moving: &Chains, dy: f64) -> Option<f64> {
+        let (from, to) = self.beside(moving, dy)?;
+        Some(farthest(&self.right, &moving.left, dy, from, to, 1.0))
+    }
+
+    /// The heights that both have; none where they pass each other.
+    fn beside(&self, moving: &Chains, dy: f64) -> Option<(f64, f64)> {
         let from = self.low().max(moving.low() + dy);
         let to = self.high().min(moving.high() + dy);
-        if to - from <= PASSING {
-            return None;
-        }
-        let past = farthest(&self.right, &moving.left, dy, from, to, 1.0);
-        let before = -farthest(&self.left, &moving.right, dy, from, to, -1.0);
-        Some((before, past))
+        (to - from > PASSING).then_some((from, to))
     }
 }
 

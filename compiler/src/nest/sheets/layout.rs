@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::convex::Shape;
+use super::rows::{Rows, reach};
 
 /// Room given up so that rounding makes nothing overlap, mm.
 pub(super) const SLACK: f64 = 1e-8;
@@ -49,9 +50,9 @@ impl Layout {
             for axis in [1, 0] {
                 let start = |item: &Item| item.at[axis] + shapes.of(item).low[axis];
                 self.items.sort_by(|a, b| start(a).total_cmp(&start(b)).then(a.part.cmp(&b.part)));
+                let rows = Rows::of(shapes, &self.items, axis, self.size[1 - axis]);
                 for index in 0..self.items.len() {
-                    let item = self.items[index];
-                    self.items[index].at[axis] = self.pushed(shapes, &item, axis, index);
+                    self.items[index].at[axis] = self.pushed(shapes, &rows, axis, index);
                 }
             }
         }
@@ -59,19 +60,21 @@ impl Layout {
 
     /// How far an item goes back along an axis, past nothing. Only the items before it in order can be in its way
     /// at its start; those after it may reach beside it.
-    fn pushed(&self, shapes: &Shapes, item: &Item, axis: usize, index: usize) -> f64 {
+    fn pushed(&self, shapes: &Shapes, rows: &Rows, axis: usize, index: usize) -> f64 {
+        let item = &self.items[index];
         let shape = shapes.of(item);
+        let moving = shape.along(axis);
         let now = item.at[axis];
         let mut least = -shape.low[axis];
-        for (place, other) in self.items.iter().enumerate() {
-            if place == index {
+        let (from, to) = reach(shapes, item, axis);
+        for other in rows.near(from, to).filter(|&other| other != index) {
+            let other = &self.items[other];
+            let fixed = shapes.of(other).along(axis);
+            if other.at[axis] + fixed.farthest_right() - moving.farthest_left() <= least {
                 continue;
             }
-            let fixed = shapes.of(other);
             let raised = item.at[1 - axis] - other.at[1 - axis];
-            let Some((before, past)) = fixed.along(axis).forbidden(shape.along(axis), raised) else {
-                continue;
-            };
+            let Some((before, past)) = fixed.forbidden(moving, raised) else { continue };
             if before + other.at[axis] < now {
                 least = least.max(past + other.at[axis] + SLACK);
             }
@@ -83,6 +86,7 @@ impl Layout {
     fn leftmost(
         &self,
         shapes: &Shapes,
+        rows: &Rows,
         shape: &Shape,
         y: f64,
         most: f64,
@@ -94,9 +98,13 @@ impl Layout {
             return None;
         }
         taken.clear();
-        for item in &self.items {
-            let fixed = shapes.of(item);
-            if let Some((before, past)) = fixed.along(0).forbidden(shape.along(0), y - item.at.y) {
+        let moving = shape.along(0);
+        for item in rows.near(y + moving.low(), y + moving.high()).map(|index| &self.items[index]) {
+            let fixed = shapes.of(item).along(0);
+            if item.at.x + fixed.farthest_left() - moving.farthest_right() > end {
+                continue;
+            }
+            if let Some((before, past)) = fixed.forbidden(moving, y - item.at.y) {
                 taken.push((before + item.at.x, past + item.at.x));
             }
         }
@@ -114,6 +122,7 @@ impl Layout {
 
     /// Where a part fits so that it reaches least far along x, then y; none where it does not fit.
     pub(super) fn place(&self, shapes: &Shapes, part: usize) -> Option<Item> {
+        let rows = Rows::of(shapes, &self.items, 0, self.size.y);
         let mut best: Option<(f64, Item)> = None;
         let mut heights = Vec::new();
         let mut taken = Vec::new();
@@ -139,7 +148,7 @@ impl Layout {
             heights.dedup();
             for &y in &heights {
                 let most = best.as_ref().map_or(f64::INFINITY, |(reach, _)| reach - shape.high.x - SLACK);
-                if let Some(x) = self.leftmost(shapes, shape, y, most, &mut taken) {
+                if let Some(x) = self.leftmost(shapes, &rows, shape, y, most, &mut taken) {
                     best = Some((x + shape.high.x, Item { part, turn, at: DVec2::new(x, y) }));
                 }
             }

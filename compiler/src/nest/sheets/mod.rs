@@ -8,6 +8,7 @@ mod bound;
 mod choose;
 mod convex;
 mod layout;
+mod rows;
 mod stack;
 mod strips;
 

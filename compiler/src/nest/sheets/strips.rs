@@ -76,6 +76,13 @@ pub(super) fn strips(shapes: &Shapes, parts: &[usize], manner: Manner, room: DVe
     strips
 }
 
+/// A part in one pose that a strip may go on with, pushed against what the strip holds.
+struct Candidate {
+    /// Among those that wait.
+    place: usize,
+    item: Item,
+}
+
 /// A strip as high as the first part that waits, which goes on with whatever wastes least; and which were used.
 fn fill(
     shapes: &Shapes,
@@ -87,62 +94,84 @@ fn fill(
     let height = waiting[0].height;
     let mut strip = Strip { items: Vec::new(), height, area: 0.0 };
     let mut used: Vec<usize> = Vec::new();
-    // The parts that are looked at, by their place among those that wait.
-    let mut open: Vec<usize> = vec![0];
-    let mut next = 1;
+    let mut reach: Vec<f64> = Vec::new();
+    let mut candidates = poses(waiting, 0, |pose| *pose).collect::<Vec<Candidate>>();
+    let (mut open, mut next) = (1, 1);
     // The area taken up so far: what lies before the last part's far side.
     let mut front = 0.0;
     loop {
-        let shortest = open.iter().map(|&place| waiting[place].length).fold(f64::INFINITY, f64::min);
-        let mut best: Option<(f64, usize, Item, f64)> = None;
-        for &place in &open {
-            let waits = &waiting[place];
-            for pose in &waits.poses {
-                let shape = shapes.of(pose);
-                let mut item = *pose;
-                item.at[axis] = pushed(shapes, &strip.items, pose, axis);
-                let right = item.at[axis] + shape.high[axis];
-                if right > end {
-                    continue;
-                }
-                let mean = item.at[axis] + shape.along(axis).mean_right();
-                // What lies beyond is lost where nothing else fits in.
-                let taken = match end - right < shortest {
-                    true => end * height,
-                    false => mean * waits.height + right * (height - waits.height),
-                };
-                let score = (taken - front) / shape.area;
-                if best.as_ref().is_none_or(|(least, ..)| score < *least) {
-                    best = Some((score, place, item, taken));
-                }
+        let lengths = candidates.iter().map(|candidate| waiting[candidate.place].length);
+        let shortest = lengths.fold(f64::INFINITY, f64::min);
+        let mut best: Option<(f64, usize, f64)> = None;
+        for (index, Candidate { place, item }) in candidates.iter().enumerate() {
+            let shape = shapes.of(item);
+            let right = item.at[axis] + shape.high[axis];
+            if right > end {
+                continue;
+            }
+            let waits = &waiting[*place];
+            let mean = item.at[axis] + shape.along(axis).mean_right();
+            // What lies beyond is lost where nothing else fits in.
+            let taken = match end - right < shortest {
+                true => end * height,
+                false => mean * waits.height + right * (height - waits.height),
+            };
+            let score = (taken - front) / shape.area;
+            if best.is_none_or(|(least, ..)| score < least) {
+                best = Some((score, index, taken));
             }
         }
-        let Some((_, place, item, taken)) = best else { return (strip, used) };
+        let Some((_, index, taken)) = best else { return (strip, used) };
+        let Candidate { place, item } = candidates[index];
         strip.area += shapes.of(&item).area;
         strip.items.push(item);
+        let before = reach.last().copied().unwrap_or(f64::NEG_INFINITY);
+        reach.push(before.max(item.at[axis] + shapes.of(&item).along(axis).farthest_right()));
         front = taken;
         used.push(place);
-        open.retain(|&other| other != place);
-        while open.len() < window && next < waiting.len() {
-            open.push(next);
+        candidates.retain(|other| other.place != place);
+        open -= 1;
+        for candidate in &mut candidates {
+            push(shapes, &item, &mut candidate.item, axis);
+        }
+        while open < window && next < waiting.len() {
+            candidates.extend(poses(waiting, next, |pose| pushed(shapes, &strip.items, &reach, pose, axis)));
+            open += 1;
             next += 1;
         }
     }
 }
 
-/// How far along a strip a part goes when it is pushed against what is there.
-fn pushed(shapes: &Shapes, items: &[Item], pose: &Item, axis: usize) -> f64 {
-    let moving = shapes.of(pose).along(axis);
-    let mut least = pose.at[axis];
-    for item in items.iter().rev() {
-        let fixed = shapes.of(item).along(axis);
-        if item.at[axis] + fixed.farthest_right() - moving.farthest_left() <= least {
-            continue;
+fn poses(
+    waiting: &VecDeque<Waiting>,
+    place: usize,
+    put: impl Fn(&Item) -> Item,
+) -> impl Iterator<Item = Candidate> {
+    waiting[place].poses.iter().map(move |pose| Candidate { place, item: put(pose) })
+}
+
+/// A part at the start of a strip, pushed along until it is past all that is there. `reach` says of each item how far
+/// it and those before it reach.
+fn pushed(shapes: &Shapes, items: &[Item], reach: &[f64], pose: &Item, axis: usize) -> Item {
+    let mut item = *pose;
+    let start = shapes.of(pose).along(axis).farthest_left();
+    for (fixed, &reach) in items.iter().zip(reach).rev() {
+        if reach - start <= item.at[axis] {
+            break;
         }
-        let raised = pose.at[1 - axis] - item.at[1 - axis];
-        if let Some((_, past)) = fixed.forbidden(moving, raised) {
-            least = least.max(past + item.at[axis] + SLACK);
-        }
+        push(shapes, fixed, &mut item, axis);
     }
-    least
+    item
+}
+
+/// Pushes an item along an axis until it is past another.
+fn push(shapes: &Shapes, fixed: &Item, item: &mut Item, axis: usize) {
+    let (still, moving) = (shapes.of(fixed).along(axis), shapes.of(item).along(axis));
+    if fixed.at[axis] + still.farthest_right() - moving.farthest_left() <= item.at[axis] {
+        return;
+    }
+    let raised = item.at[1 - axis] - fixed.at[1 - axis];
+    if let Some(past) = still.past(moving, raised) {
+        item.at[axis] = item.at[axis].max(past + fixed.at[axis] + SLACK);
+    }
 }
