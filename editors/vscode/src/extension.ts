@@ -36,7 +36,10 @@ async function start(): Promise<void> {
   // No transport is named: the client would add `--stdio`.
   const server: ServerOptions = { command, args: ["lsp"] };
   client = new LanguageClient("ifs", "ifs", server, {
-    documentSelector: [{ scheme: "file", language: "ifs" }],
+    documentSelector: [
+      { scheme: "file", language: "ifs" },
+      { scheme: "file", pattern: "**/ifs.toml" },
+    ],
     // The server puts only those above a design that are said here.
     initializationOptions: { commands: ["ifs.build", "ifs.showReport", "ifs.preview"] },
   });

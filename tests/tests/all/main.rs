@@ -22,6 +22,7 @@ mod library;
 mod lsp_capabilities;
 mod lsp_editors;
 mod lsp_edits;
+mod lsp_project_file;
 mod lsp_projects;
 mod lsp_protocol;
 mod lsp_shown;
