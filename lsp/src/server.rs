@@ -6,6 +6,7 @@ mod answers;
 mod completions;
 mod diagnostics;
 mod hierarchy;
+mod neighbours;
 mod publish;
 mod shown;
 mod tokens;
@@ -359,11 +360,9 @@ impl LanguageServer for Backend {
     }
 
     async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
-        let (range, only) = (params.range, params.context.only);
-        self.ask(&params.text_document.uri, move |snapshot| {
-            Some(actions::actions(snapshot, range, only.as_deref()))
-        })
-        .await
+        let (range, context) = (params.range, params.context);
+        self.ask(&params.text_document.uri, move |snapshot| Some(actions::actions(snapshot, range, &context)))
+            .await
     }
 
     async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {

@@ -17,6 +17,7 @@ pub(crate) mod lens;
 pub(crate) mod links;
 #[cfg(test)]
 mod properties;
+pub(crate) mod refactor;
 pub(crate) mod references;
 pub(crate) mod rename;
 pub(crate) mod search;

@@ -19,6 +19,7 @@ mod interrupting;
 mod killing;
 mod labels;
 mod library;
+mod lsp_actions;
 mod lsp_capabilities;
 mod lsp_editors;
 mod lsp_edits;

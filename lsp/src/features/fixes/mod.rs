@@ -5,6 +5,7 @@
 mod apart;
 mod case;
 mod dropped;
+mod imported;
 mod limits;
 mod names;
 mod swapped;
@@ -17,6 +18,7 @@ use ifs_compiler::diagnostic::{Code, Diagnostic, Edit, Fix};
 use ifs_compiler::source::{Source, Span};
 
 pub(crate) use dropped::organized;
+pub(crate) use imported::{imported, missing};
 
 /// A change that can be offered.
 #[derive(Clone, Debug, PartialEq, Eq)]
