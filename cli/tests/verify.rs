@@ -82,6 +82,29 @@ fn every_example_as_built_is_good() {
     }
 }
 
+#[test]
+fn what_a_build_warned_of_is_no_fault_of_its_files() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify-warned");
+    fs::create_dir_all(&folder).unwrap();
+    let (source, out) = (folder.join("line.ifs"), folder.join("out"));
+    let text = "use std.curves (bezier2, bezier3)\nlet unused = \"a: b, [c] {d}\"\n\
+        figure line = bezier3 on ((0m, 0m), (1m, 1m), (2m, 1m), (3m, 0m)) at level 2\n";
+    fs::write(&source, text).unwrap();
+    let done = ifs(&["build", source.to_str().unwrap(), "-o", out.to_str().unwrap()]);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let said = fs::read_to_string(out.join("diagnostics.json")).unwrap();
+    assert!(said.contains("\"warnings\": 2"), "{said}");
+    assert_eq!(findings(&out), "");
+    // The same list laid out otherwise is not what was written.
+    fs::write(out.join("diagnostics.json"), said.replace("\"severity\":", "\"severity\": ")).unwrap();
+    assert!(findings(&out).contains("layout"));
+}
+
+fn findings(folder: &Path) -> String {
+    let done = ifs(&["verify", folder.to_str().unwrap(), "--message-format", "short"]);
+    String::from_utf8_lossy(&done.stdout).into_owned()
+}
+
 /// Boards on sheets, with programs of both.
 fn built_nested() -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify-nested");

@@ -22,8 +22,14 @@ pub(super) fn text<'a>(path: &str, bytes: &'a [u8], findings: &mut Findings) -> 
     Some(text)
 }
 
-/// JSON that was written indented by two, or what is wrong with it.
-pub(super) fn json(path: &str, bytes: &[u8], findings: &mut Findings) -> Option<serde_json::Value> {
+/// JSON that was written indented by two, or what is wrong with it. What is nested `dense` deep is written without
+/// spaces, on one line.
+pub(super) fn json(
+    path: &str,
+    bytes: &[u8],
+    dense: usize,
+    findings: &mut Findings,
+) -> Option<serde_json::Value> {
     let text = text(path, bytes, findings)?;
     let value = match serde_json::from_str(text) {
         Ok(value) => value,
@@ -32,7 +38,7 @@ pub(super) fn json(path: &str, bytes: &[u8], findings: &mut Findings) -> Option<
             return None;
         }
     };
-    let laid_out = laid_out(text) + "\n";
+    let laid_out = laid_out(text, dense) + "\n";
     if laid_out != text {
         let differs = laid_out.lines().zip(text.lines()).position(|(a, b)| a != b).map_or(0, |line| line + 1);
         findings.add(path, "layout", "as builds write it", format!("line {differs} differs"));
@@ -40,12 +46,14 @@ pub(super) fn json(path: &str, bytes: &[u8], findings: &mut Findings) -> Option<
     Some(value)
 }
 
-/// JSON text indented by two, its strings and numbers as they are.
-fn laid_out(text: &str) -> String {
+/// JSON text indented by two, its strings and numbers as they are, dense where it is nested so deep.
+fn laid_out(text: &str, dense: usize) -> String {
     let (mut out, mut depth, mut rest) = (String::with_capacity(text.len()), 0_usize, text.trim_start());
     let line = |out: &mut String, depth: usize| {
-        out.push('\n');
-        out.extend(std::iter::repeat_n(' ', 2 * depth));
+        if depth <= dense {
+            out.push('\n');
+            out.extend(std::iter::repeat_n(' ', 2 * depth));
+        }
     };
     while let Some(first) = rest.chars().next() {
         let length = match first {
@@ -67,15 +75,17 @@ fn laid_out(text: &str) -> String {
                 }
             }
             "}" | "]" => {
+                if depth <= dense {
+                    line(&mut out, depth.saturating_sub(1));
+                }
                 depth = depth.saturating_sub(1);
-                line(&mut out, depth);
                 out.push_str(token);
             }
             "," => {
                 out.push(',');
                 line(&mut out, depth);
             }
-            ":" => out.push_str(": "),
+            ":" => out.push_str(if depth <= dense { ": " } else { ":" }),
             _ => out.push_str(token),
         }
     }

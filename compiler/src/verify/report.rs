@@ -65,7 +65,7 @@ pub(super) struct Report {
 
 /// Reads the report and checks what it says of itself.
 pub(super) fn read(bytes: &[u8], manifest: &Manifest, findings: &mut Findings) -> Option<Report> {
-    let value = form::json(PATH, bytes, findings)?;
+    let value = form::json(PATH, bytes, usize::MAX, findings)?;
     let version = value.get("schema_version").and_then(Value::as_u64);
     if version != Some(SCHEMA_VERSION) {
         let found = version.map_or_else(|| "none".to_owned(), |version| version.to_string());
@@ -303,9 +303,12 @@ impl Report {
     }
 }
 
+/// How deep the list of `diagnostics.json` lies: each of its diagnostics is one line.
+const DIAGNOSTIC_DEPTH: usize = 2;
+
 /// `diagnostics.json`: its numbers are those of its list.
 pub(super) fn diagnostics(path: &str, bytes: &[u8], manifest: &Manifest, findings: &mut Findings) {
-    let Some(value) = form::json(path, bytes, findings) else { return };
+    let Some(value) = form::json(path, bytes, DIAGNOSTIC_DEPTH, findings) else { return };
     if value.get("schema").and_then(Value::as_u64) != Some(1) {
         findings.add(path, "schema", 1, "another");
     }

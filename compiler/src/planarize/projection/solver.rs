@@ -16,21 +16,39 @@ use super::step::step;
 /// How close to the design displacements are held, one after the other: the first that reaches the goal is taken.
 const CLOSENESS: [f64; 3] = [50.0, 12.0, 200.0];
 
+/// By what closeness grows, how often, to come nearer to the design once the goal was reached.
+const CLOSER: (f64, usize) = (4.0, 3);
+
+/// The part of the displacement that such an attempt must save to be kept.
+const SAVING: f64 = 0.05;
+
 /// How often a step is halved before it is given up.
 const HALVINGS: u32 = 6;
 
-/// The part of the squared excess that a step must take away to count as progress.
-const PROGRESS: f64 = 0.02;
+/// When an attempt is given up.
+#[derive(Clone, Copy)]
+struct Effort {
+    /// The most steps.
+    steps: usize,
+    /// The part of the squared excess that a step must take away to count as progress.
+    progress: f64,
+    /// Steps without progress that end it.
+    patience: u32,
+}
 
-/// Steps without progress before the closeness changes.
-const PATIENCE: u32 = 2;
+/// To reach the goal at all.
+const REACH: Effort = Effort { steps: usize::MAX, progress: 0.02, patience: 2 };
+
+/// To reach it once more, nearer to the design.
+const APPROACH: Effort = Effort { steps: 8, progress: 0.3, patience: 2 };
 
 /// Moves the vertices of `mesh` so that its quads become flat: Gauss–Newton on the distances of the diagonals, each
 /// step the fairest displacement that brings all of them within the goal (GEOMETRY section 6b).
 ///
 /// Fair is the displacement, never the surface: it has the least Σ|(L + κ)d|², with L the graph Laplacian. A step that
 /// would invert a quad, or that leaves more excess than there was, is halved. The design is started from three times
-/// at most, with displacements of other reach.
+/// at most, with displacements of other reach. Once the goal is reached, it is tried with displacements that are held
+/// closer to the design, and what moves vertices least is taken.
 ///
 /// The mesh returned has a worst planarity no lower than the given one (and no larger diagonal ratio where one is asked
 /// for), no quad inverted that was not, and its pinned vertices exactly where they were. Quads folded over at the start
@@ -65,7 +83,8 @@ struct Solver<'a> {
 
 /// What one attempt came to.
 enum Attempt {
-    Ended(StopReason),
+    Reached(StopReason),
+    Interrupted(StopReason),
     Stalled,
 }
 
@@ -105,28 +124,59 @@ impl<'a> Solver<'a> {
             let Some(fairness) = Displacement::new(self.start, &self.held, closeness) else {
                 return StopReason::TooLarge;
             };
-            if let Attempt::Ended(reason) = self.attempt(&fairness, progress) {
-                return reason;
+            match self.attempt(&fairness, REACH, progress) {
+                Attempt::Reached(reason) => {
+                    self.come_closer(closeness, progress);
+                    return reason;
+                }
+                Attempt::Interrupted(reason) => return reason,
+                Attempt::Stalled => {}
             }
         }
         StopReason::Stalled
+    }
+
+    /// Looks for vertices nearer to the design that reach the goal as well, with greater and greater closeness.
+    fn come_closer(&mut self, closeness: f64, progress: &mut dyn FnMut(Progress) -> ControlFlow<()>) {
+        let (factor, times) = CLOSER;
+        let mut closeness = closeness;
+        for _ in 0..times {
+            closeness *= factor;
+            let Some(fairness) = Displacement::new(self.start, &self.held, closeness) else { return };
+            let (best, at, made) = (self.best.clone(), self.best_iteration, self.history.len());
+            let ended = self.attempt(&fairness, APPROACH, progress);
+            let saved = 1.0 - self.displacement(&self.best) / self.displacement(&best);
+            if !matches!(ended, Attempt::Reached(_)) || saved < SAVING {
+                (self.best, self.best_iteration) = (best, at);
+                self.history.truncate(made);
+            }
+        }
+    }
+
+    /// How far vertices lie from the design, all together.
+    fn displacement(&self, vertices: &[DVec3]) -> f64 {
+        vertices.iter().zip(&self.start.vertices).map(|(now, then)| now.distance(*then)).sum()
     }
 
     /// Goes from the design as far as it gets with displacements of one reach.
     fn attempt(
         &mut self,
         fairness: &Displacement,
+        effort: Effort,
         progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Attempt {
         let mut present = self.start.vertices.clone();
         let mut excess = merit(&self.constraints, &present, &self.goal);
         let mut waited = 0;
-        while waited < PATIENCE {
+        for _ in 0..effort.steps {
+            if waited >= effort.patience {
+                break;
+            }
             if self.iteration() >= self.options.iterations {
-                return Attempt::Ended(StopReason::IterationsUsed);
+                return Attempt::Interrupted(StopReason::IterationsUsed);
             }
             if progress(self.progress()).is_break() {
-                return Attempt::Ended(StopReason::Cancelled);
+                return Attempt::Interrupted(StopReason::Cancelled);
             }
             let rows: Vec<Row> =
                 self.constraints.iter().filter_map(|quad| quad.row(&present, &self.goal)).collect();
@@ -134,14 +184,14 @@ impl<'a> Solver<'a> {
             let Some((next, left)) = self.take(&present, excess, &displacement, fairness) else {
                 return Attempt::Stalled;
             };
-            waited = if left <= excess * (1.0 - PROGRESS) { 0 } else { waited + 1 };
+            waited = if left <= excess * (1.0 - effort.progress) { 0 } else { waited + 1 };
             (present, excess) = (next, left);
             let found = measures(self.start, &present);
             self.history.push(record(&found));
             let reached = self.reached(&found);
             self.keep_if_better(&present, excess, &found, reached.is_some());
             if let Some(reason) = reached {
-                return Attempt::Ended(reason);
+                return Attempt::Reached(reason);
             }
         }
         Attempt::Stalled
