@@ -187,6 +187,15 @@ struct NoProgram {
     remedy: Option<String>,
 }
 
+/// The machine that cuts a sheet: the first that can, which differ in their cutters; if none can, the first.
+pub(super) fn cutting<'m, 'j>(
+    machines: &[&'m Machine],
+    sheet_on: impl Fn(&Machine) -> Sheet<'j>,
+) -> Option<&'m Machine> {
+    let can = |machine: &&&Machine| machines.len() == 1 || sheet(&sheet_on(machine), machine).is_ok();
+    machines.iter().find(can).or(machines.first()).copied()
+}
+
 /// The files of a program that has been read back: on the first of the machines that can, which differ in their cutters.
 /// If none can, it is the first that says why.
 fn one(job: &CutJob, machines: &[&Machine], number: u32) -> Result<Vec<NcFile>, NoProgram> {
