@@ -40,7 +40,7 @@ struct Effort {
 const REACH: Effort = Effort { steps: usize::MAX, progress: 0.02, patience: 2 };
 
 /// To reach it once more, nearer to the design.
-const APPROACH: Effort = Effort { steps: 8, progress: 0.3, patience: 2 };
+const APPROACH: Effort = Effort { steps: 8, progress: 0.3, patience: 1 };
 
 /// Moves the vertices of `mesh` so that its quads become flat: Gauss–Newton on the distances of the diagonals, each
 /// step the fairest displacement that brings all of them within the goal (GEOMETRY section 6b).
