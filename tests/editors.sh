@@ -2,7 +2,7 @@
 # The editors in earnest, part of the long run: that the generated parser is that of its grammar and its corpus holds
 # (tree-sitter's own program), that the VS Code extension is built from its sources, and a session in VS Code itself:
 # code-server in headless Chromium opens a design and goes through an error, a hover, a completion, a rename, a quick
-# fix and the report. Then Emacs with eglot. Pictures lie in target/editors/pictures.
+# fix, the report and the preview of outputs. Then Emacs with eglot. Pictures lie in target/editors/pictures.
 # Installs what it needs under target/editors, some 800 MB, and Debian packages as tests/setup.sh does.
 set -euo pipefail
 cd "$(dirname "$0")/.."

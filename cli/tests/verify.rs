@@ -87,7 +87,7 @@ fn what_a_build_warned_of_is_no_fault_of_its_files() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify-warned");
     fs::create_dir_all(&folder).unwrap();
     let (source, out) = (folder.join("line.ifs"), folder.join("out"));
-    let text = "use std.curves (bezier2, bezier3)\nlet unused = \"a: b, [c] {d}\"\n\
+    let text = "use std.curves (bezier2, bezier3, bspline3)\n\
         figure line = bezier3 on ((0m, 0m), (1m, 1m), (2m, 1m), (3m, 0m)) at level 2\n";
     fs::write(&source, text).unwrap();
     let done = ifs(&["build", source.to_str().unwrap(), "-o", out.to_str().unwrap()]);
@@ -96,8 +96,12 @@ fn what_a_build_warned_of_is_no_fault_of_its_files() {
     assert!(said.contains("\"warnings\": 2"), "{said}");
     assert_eq!(findings(&out), "");
     // The same list laid out otherwise is not what was written.
-    fs::write(out.join("diagnostics.json"), said.replace("\"severity\":", "\"severity\": ")).unwrap();
-    assert!(findings(&out).contains("layout"));
+    let mut set = set(&out);
+    let loose = said.replace("\"severity\":", "\"severity\": ");
+    set.0.insert("diagnostics.json".to_owned(), loose.into_bytes());
+    rehash(&mut set);
+    let findings = verify(&set).unwrap().findings;
+    assert!(findings.iter().any(|finding| finding.what == "layout"), "{findings:?}");
 }
 
 fn findings(folder: &Path) -> String {
@@ -105,27 +109,92 @@ fn findings(folder: &Path) -> String {
     String::from_utf8_lossy(&done.stdout).into_owned()
 }
 
-/// Boards on sheets, with programs of both.
-fn built_nested() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify-nested");
+/// Boards on sheets, with programs of both, by a machine with these arguments that holds boards like this.
+fn built_roof(name: &str, machine: &str, fixing: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("verify-{name}"));
     let (source, out) = (folder.join("roof.ifs"), folder.join("out"));
     fs::create_dir_all(&folder).unwrap();
-    let text = "use std.curves (bspline3)\nuse std.surfaces (sheet)\nuse std.materials (birch_plywood)\n\
-        use std.machines (router3)\n\
+    let text = format!(
+        "use std.curves (bspline3)\nuse std.surfaces (sheet)\nuse std.materials (birch_plywood)\n\
+        use std.machines (onion_skin, router3, tabs, vacuum)\n\
         let net = [[(i * 500mm, j * 500mm, 0.1m * sin(30deg * i)) for j in 0..5] for i in 0..5]\n\
         figure roof = sheet(bspline3, bspline3, net) at level 1\n\
-        fabricate roof as panels {\n    material: birch_plywood(12mm)\n    board: 1250mm by 1250mm\n    \
-        machine: router3(tool: 6mm)\n    nest: {}\n}\n";
+        fabricate roof as panels {{\n    material: birch_plywood(12mm)\n    board: 1250mm by 1250mm\n    \
+        machine: router3({machine})\n    fixing: {fixing}\n    nest: {{ programs: both }}\n}}\n"
+    );
     fs::write(&source, text).unwrap();
     let done = ifs(&["build", source.to_str().unwrap(), "-o", out.to_str().unwrap()]);
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    out
+}
+
+fn built_nested() -> PathBuf {
+    let out = built_roof("nested", "tool: 6mm", "vacuum()");
     let names = set(&out).0;
     for name in ["sheets/1.nc", "sheets/1.dxf", "sheets/1.svg", "nest.csv", "boards/roof.0-0.left-left.nc"] {
-        assert!(names.contains_key(name), "no {name} among {:?}", names.keys());
+        assert!(names.contains_key(name), "{name}");
     }
-    let verdict = verify(&set(&out)).unwrap();
-    assert_eq!((verdict.findings.as_slice(), verdict.by_hash.as_slice()), (&[][..], &[][..]));
     out
+}
+
+fn built_with_tabs() -> PathBuf {
+    built_roof("tabs", "tool: 6mm, dialect: grbl", "tabs(count: 4)")
+}
+
+fn built_with_skin() -> PathBuf {
+    built_roof(
+        "skin",
+        "tool: 6mm, dialect: fanuc, direction: conventional, allowance: 0.3mm",
+        "onion_skin(0.4mm)",
+    )
+}
+
+#[test]
+fn every_program_is_read_again_whatever_its_dialect_and_fixing() {
+    for out in [built_nested(), built_with_tabs(), built_with_skin()] {
+        let good = set(&out);
+        let verdict = verify(&good).unwrap();
+        assert_eq!(verdict.findings, [], "{}", out.display());
+        assert_eq!((verdict.by_hash.len(), verdict.read), (0, verdict.files), "{}", out.display());
+        for name in good.0.keys().filter(|name| name.ends_with(".nc")) {
+            let mut wrong = good.clone();
+            let text = String::from_utf8(good.0[name].clone()).unwrap();
+            let (at, line) =
+                text.lines().enumerate().filter(|(_, line)| line.starts_with("G1 X")).last().unwrap();
+            let lines = text.lines().enumerate().map(|(place, line)| match place == at {
+                true => "G1 X17.500\n".to_owned(),
+                false => format!("{line}\n"),
+            });
+            wrong.0.insert(name.clone(), lines.collect::<String>().into_bytes());
+            rehash(&mut wrong);
+            let findings = verify(&wrong).unwrap().findings;
+            assert!(findings.iter().any(|finding| finding.path == *name), "{name}: {line}");
+        }
+    }
+}
+
+#[test]
+fn a_plank_sawn_otherwise_is_found() {
+    let good = set(&built("vault"));
+    let text = String::from_utf8(good.0["stock.csv"].clone()).unwrap();
+    assert_eq!(verify(&good).unwrap().by_hash, Vec::<String>::new());
+    for (from, to) in [
+        (",shared,890.818,", ",shared,888.818,"),
+        (",890.818,-4.6337,", ",890.818,-4.6347,"),
+        (",shared,886.805", ",own,886.805"),
+        (",turned over,", ",as drawn,"),
+        ("2984.169,placed", "2984.269,placed"),
+        (
+            "bar-01,sawn spruce,120.000,27.000,4000.000,4.000,3",
+            "bar-02,sawn spruce,120.000,27.000,4000.000,4.000,3",
+        ),
+    ] {
+        assert!(text.contains(from), "the list has no {from}");
+        let mut wrong = good.clone();
+        wrong.0.insert("stock.csv".to_owned(), text.replacen(from, to, 1).into_bytes());
+        rehash(&mut wrong);
+        assert!(!verify(&wrong).unwrap().findings.is_empty(), "{from} to {to}");
+    }
 }
 
 #[test]
@@ -156,14 +225,15 @@ fn a_board_that_lies_elsewhere_is_found_in_every_file_of_its_sheet() {
 
 #[test]
 fn at_least_95_of_100_random_corruptions_are_found() {
-    let sets = [set(&built("wall")), set(&built("vault")), set(&built_nested())];
+    let folders = [built("wall"), built("vault"), built_nested(), built_with_tabs(), built_with_skin()];
+    let sets = folders.map(|folder| set(&folder));
     for set in &sets {
         assert_eq!(verify(set).unwrap().findings, []);
     }
     let mut random = Random(2026);
     let (mut found, mut missed) = (0, Vec::new());
     for number in 0..100 {
-        let mut corrupted = sets[number % 3].clone();
+        let mut corrupted = sets[number % 5].clone();
         let rehashed = number % 4 < 2;
         let what = corrupt(&mut corrupted, rehashed, &mut random);
         match verify(&corrupted) {

@@ -6,6 +6,7 @@ mod answers;
 mod completions;
 mod diagnostics;
 mod hierarchy;
+mod neighbours;
 mod publish;
 mod shown;
 mod tokens;
@@ -23,6 +24,7 @@ use tower_lsp::ls_types::*;
 use tower_lsp::{Client, LanguageServer};
 
 use crate::protocol::capabilities::capabilities;
+use crate::protocol::commands::Commands;
 use crate::protocol::convert::from_position;
 use crate::protocol::errors::failed;
 use crate::protocol::uri::{path_of, path_on_disk};
@@ -199,7 +201,8 @@ impl LanguageServer for Backend {
                 .and_then(|workspace| workspace.code_lens.as_ref())
                 .is_some_and(|lenses| lenses.refresh_support == Some(true)),
         };
-        let told = publish::Told { encoding, pulls, takes_related, watches, snippets, refreshed };
+        let commands = Commands::of(params.initialization_options.as_ref());
+        let told = publish::Told { encoding, pulls, takes_related, watches, snippets, commands, refreshed };
         let _ = self.settings.set(told);
         #[allow(deprecated, reason = "older clients say no other")]
         let root = params.root_uri.into_iter();
@@ -357,11 +360,9 @@ impl LanguageServer for Backend {
     }
 
     async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
-        let (range, only) = (params.range, params.context.only);
-        self.ask(&params.text_document.uri, move |snapshot| {
-            Some(actions::actions(snapshot, range, only.as_deref()))
-        })
-        .await
+        let (range, context) = (params.range, params.context);
+        self.ask(&params.text_document.uri, move |snapshot| Some(actions::actions(snapshot, range, &context)))
+            .await
     }
 
     async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
@@ -413,8 +414,8 @@ impl LanguageServer for Backend {
     }
 
     async fn code_lens(&self, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
-        let uri = params.text_document.uri;
-        self.ask(&uri.clone(), move |snapshot| Some(shown::lenses(snapshot, &uri))).await
+        let (uri, commands) = (params.text_document.uri, self.told().commands);
+        self.ask(&uri.clone(), move |snapshot| Some(shown::lenses(snapshot, &uri, commands))).await
     }
 
     async fn folding_range(&self, params: FoldingRangeParams) -> Result<Option<Vec<FoldingRange>>> {

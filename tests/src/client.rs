@@ -90,12 +90,21 @@ impl Client {
     /// # Panics
     /// The server refuses.
     pub fn initialize(&mut self, capabilities: &Value, folders: &[&Path]) -> Value {
+        self.initialize_with(capabilities, folders, &Value::Null)
+    }
+
+    /// The same with initialization options.
+    ///
+    /// # Panics
+    /// The server refuses.
+    pub fn initialize_with(&mut self, capabilities: &Value, folders: &[&Path], options: &Value) -> Value {
         let folders: Vec<Value> =
             folders.iter().map(|folder| json!({ "uri": uri(folder), "name": "tests" })).collect();
         let hello = json!({
             "processId": std::process::id(),
             "capabilities": capabilities,
             "workspaceFolders": folders,
+            "initializationOptions": options,
         });
         let answer = self.request("initialize", hello).expect("an answer");
         self.notify("initialized", json!({}));

@@ -63,7 +63,7 @@ pub fn misspelt_parameters(settings: &ProjectSettings, hir: &Hir) -> Vec<Diagnos
             let meant = closest(name, unset)?;
             let message = format!("the design has no parameter `{name}`");
             let diagnostic = Diagnostic::new(Code::W0316, *at, message).label("not used by this design");
-            Some(diagnostic.hint(format!("did you mean `{meant}`?")))
+            Some(diagnostic.fix(format!("did you mean `{meant}`?"), *at, meant))
         })
         .collect()
 }

@@ -2,6 +2,7 @@
 //! time, no path outside the output folder, no user.
 
 mod distribution;
+mod machine;
 mod nest;
 mod requirement;
 
@@ -14,6 +15,7 @@ use crate::geometry::summary::Extreme;
 use crate::geometry::{MeshSummary, QuadMesh};
 
 pub use distribution::{BINS, Distribution};
+pub use machine::{ClampReport, EngravingReport, FixingReport, MachineReport, ToolReport};
 pub use nest::{BarReport, BarsReport, SheetReport, SheetsReport, UnplacedReport};
 pub use requirement::{LimitReport, Quantity, Requirement, WorstReport};
 
@@ -144,6 +146,8 @@ pub struct Fabrication {
     pub scale: Fixed,
     /// The material.
     pub material: MaterialReport,
+    /// What cuts it; none where no machine is named.
+    pub machine: Option<MachineReport>,
     /// How many elements there were, and what became of them.
     pub counts: Counts,
     /// For panels.

@@ -5,12 +5,12 @@
 use glam::DVec2;
 
 use super::parts::drawing_path;
-use super::programs::Block;
+use super::programs::{Block, cutting};
 use super::{Content, Output};
 use crate::analysis::Elements;
 use crate::export::dxf::{Colour, Drawing};
 use crate::export::number::fixed;
-use crate::fabricate::cut_job::CutJob;
+use crate::fabricate::cut_job::{CutJob, Sheet};
 use crate::fabricate::machine::{Machine, Tool};
 use crate::fabricate::toolpath::engraving;
 
@@ -24,7 +24,7 @@ pub(super) fn drawings(blocks: &[Block<'_>]) -> Vec<Output> {
 }
 
 fn block(block: &Block<'_>) -> Vec<Output> {
-    let machine = block.machine.as_ref().map(|(machine, _)| machine);
+    let machines = block.machines();
     let mut designs = designs(&block.made.elements);
     let mut outputs = Vec::new();
     for (_, job) in block.jobs() {
@@ -32,6 +32,7 @@ fn block(block: &Block<'_>) -> Vec<Output> {
         let Some((_, design, material)) = designs.find(|(address, _, _)| *address == job.address) else {
             continue;
         };
+        let machine = cutting(&machines, |machine| Sheet::single(job, machine));
         let drawing = drawing(job, design, material, machine);
         outputs.push(Output {
             path: drawing_path(&job.address),

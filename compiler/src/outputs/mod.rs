@@ -123,6 +123,13 @@ pub enum Making {
     },
     /// Boards are being nested.
     Nests,
+    /// So many sheets have their programs, each read back.
+    Sheets {
+        /// Sheets with programs.
+        done: usize,
+        /// All of the nest.
+        of: usize,
+    },
     /// Lists and drawings are being made.
     Lists,
     /// The reports are being made.
@@ -134,7 +141,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
     outputs_watched(analysis, selection, &mut |_| ())
 }
 
-/// The same, telling how far it is: before each stage, and before each board of the programs.
+/// The same, telling how far it is: before each stage, and before each board and each sheet of the programs.
 pub fn outputs_watched(analysis: &Analysis, selection: &Selection, watch: &mut dyn FnMut(Making)) -> Outputs {
     let mut files = Vec::new();
     if analysis.plan.as_ref().is_none_or(|lowered| lowered.plan.figures().is_empty()) {
@@ -202,7 +209,7 @@ fn cut_files(
     if selection.makes(Format::Nc) {
         let (programs, found) = programs::programs(&blocks, nests, watch);
         diagnostics.extend(found);
-        let (of_sheets, found) = sheet_programs::programs(&blocks, nests, programs.len());
+        let (of_sheets, found) = sheet_programs::programs(&blocks, nests, programs.len(), watch);
         diagnostics.extend(found);
         files.extend(programs.into_iter().chain(of_sheets));
     }

@@ -67,18 +67,11 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
     let (mut blocks, mut diagnostics) = (Vec::new(), Vec::new());
     let hash = design_hash(analysis);
     for made in &analysis.fabrications {
-        let setting = |wanted: &str| {
-            made.settings.iter().find(|(name, _, _)| *name == wanted).map(|(_, value, span)| (value, *span))
-        };
-        let machines = setting("machine").map(|(value, span)| {
-            let machines = machines(&analysis.hir, value, span, setting("fixing"))?;
-            Ok((machines, span))
-        });
         let all = jobs(analysis, made, &hash);
         let wanted = all.iter().map(|job| selection.takes(&job.address, &job.alias)).collect();
-        match machines.transpose() {
-            Ok(machines) => {
-                let (mut machines, span) = machines.unwrap_or_default();
+        match machines_of(analysis, made) {
+            Ok(found) => {
+                let (mut machines, span) = found.unwrap_or_default();
                 let spares = machines.split_off(machines.len().min(1));
                 let machine = machines.pop().map(|machine| (machine, span));
                 blocks.push(Block { made, machine, spares, all, wanted });
@@ -87,6 +80,21 @@ pub(super) fn blocks<'a>(analysis: &'a Analysis, selection: &Selection) -> (Vec<
         }
     }
     (blocks, diagnostics)
+}
+
+/// The machine of a block, as [`machines`] gives it, and where the design names it; none where it names none.
+///
+/// # Errors
+/// E0804: its figures are out of range.
+pub(super) fn machines_of(
+    analysis: &Analysis,
+    made: &Fabrication,
+) -> Result<Option<(Vec<Machine>, Span)>, Diagnostic> {
+    let setting = |wanted: &str| {
+        made.settings.iter().find(|(name, _, _)| *name == wanted).map(|(_, value, span)| (value, *span))
+    };
+    let Some((value, span)) = setting("machine") else { return Ok(None) };
+    Ok(Some((machines(&analysis.hir, value, span, setting("fixing"))?, span)))
 }
 
 /// The programs of the boards of every block with a machine, or what speaks against them.
@@ -179,6 +187,15 @@ struct NoProgram {
     remedy: Option<String>,
 }
 
+/// The machine that cuts a sheet: the first that can, which differ in their cutters; if none can, the first.
+pub(super) fn cutting<'m, 'j>(
+    machines: &[&'m Machine],
+    sheet_on: impl Fn(&Machine) -> Sheet<'j>,
+) -> Option<&'m Machine> {
+    let can = |machine: &&&Machine| machines.len() == 1 || sheet(&sheet_on(machine), machine).is_ok();
+    machines.iter().find(can).or(machines.first()).copied()
+}
+
 /// The files of a program that has been read back: on the first of the machines that can, which differ in their cutters.
 /// If none can, it is the first that says why.
 fn one(job: &CutJob, machines: &[&Machine], number: u32) -> Result<Vec<NcFile>, NoProgram> {
@@ -233,7 +250,7 @@ fn jobs(analysis: &Analysis, made: &Fabrication, hash: &str) -> Vec<CutJob> {
 }
 
 /// Height and least height asked for, else those of the library's `Engraving`, mm.
-fn engraving(hir: &Hir, made: &Fabrication) -> (f64, f64) {
+pub(super) fn engraving(hir: &Hir, made: &Fabrication) -> (f64, f64) {
     let asked = made.settings.iter().find(|(name, _, _)| *name == "address").map(|(_, value, _)| value);
     let number = |name: &str| asked.and_then(|value| number(hir, value, name));
     (number("height").unwrap_or(12.0), number("least").unwrap_or(5.0))

@@ -1,15 +1,16 @@
 //! The report of a design: its parameters, figures and fabrications, measured.
 
 use super::nests::Nests;
+use super::programs::{engraving, machines_of};
 use super::sheets::{bars_report, sheets_report};
 use super::{design_hash, machine_text, names, parameter_texts, project_sources};
 use crate::analysis::{Analysis, Elements, Fabrication, LimitValue, PanelsMade, RequirementResult};
 use crate::export::number::Fixed;
 use crate::export::part::Part;
 use crate::export::report::{
-    self, Counts, Distribution, ExtentReport, FigureReport, HistoryPoint, MaterialReport, MovedReport,
-    OptionReport, Parameter, PlanarityReport, PlanarizeReport, Quantity, ReliefReport, Report, Requirement,
-    SourceReport, SurfaceSummary,
+    self, Counts, Distribution, ExtentReport, FigureReport, HistoryPoint, MachineReport, MaterialReport,
+    MovedReport, OptionReport, Parameter, PlanarityReport, PlanarizeReport, Quantity, ReliefReport, Report,
+    Requirement, SourceReport, SurfaceSummary,
 };
 use crate::fabricate::checks::Limit;
 use crate::fabricate::label::Label;
@@ -111,6 +112,7 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
         kind,
         scale: Fixed::ratio(made.scale),
         material: material_report(made, masses, &parts),
+        machine: machine(analysis, made),
         counts: Counts { elements: counts.0 + counts.1, made: counts.0, refused: counts.1 },
         planarity,
         relief: match &made.elements {
@@ -124,6 +126,12 @@ fn fabrication(analysis: &Analysis, made: &Fabrication, parts: Vec<Part>) -> rep
             .collect(),
         parts,
     }
+}
+
+/// What cuts a block; none where it names no machine, or one that cannot work.
+fn machine(analysis: &Analysis, made: &Fabrication) -> Option<MachineReport> {
+    let (machines, _) = machines_of(analysis, made).ok()??;
+    MachineReport::of(&machines.iter().collect::<Vec<_>>(), engraving(&analysis.hir, made))
 }
 
 fn material_report(made: &Fabrication, masses: Option<Vec<f64>>, parts: &[Part]) -> MaterialReport {

@@ -3,7 +3,7 @@
 
 use super::drawings::{DESIGN, NOTES, cut_layer, designs, engraved_layer};
 use super::nests::{Nests, SheetNest};
-use super::programs::Block;
+use super::programs::{Block, cutting};
 use super::sheet_programs::{block_of, is_wanted, laid_out};
 use super::sheets::sheet_path;
 use super::{Content, Output};
@@ -39,7 +39,8 @@ fn drawing(
     sheet: &Sheet<'_>,
     designs: &BTreeMap<&str, &[DVec2]>,
 ) -> Drawing {
-    let machine = block_of(blocks, nest).and_then(|block| block.machines().first().copied());
+    let machines = block_of(blocks, nest).map(Block::machines).unwrap_or_default();
+    let machine = cutting(&machines, |_| sheet.clone());
     let mut drawing = Drawing::default();
     let layer = drawing.layer(SHEET, Colour::Black);
     let DVec2 { x, y } = sheet.stock;

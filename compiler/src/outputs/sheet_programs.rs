@@ -1,9 +1,9 @@
 //! NC programs of nested sheets: one for each, all its boards engraved and then cut, read back before it is given out.
 
-use super::Output;
 use super::nests::{Nests, SheetNest};
 use super::programs::{Block, extension, written};
 use super::sheets::sheet_path;
+use super::{Making, Output};
 use crate::analysis::Programs;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::export::nc::NcFile;
@@ -21,12 +21,18 @@ const NAMED: usize = 5;
 
 /// The programs of all sheets that are wanted whole and whose machine is known, or what speaks against them; `before` is
 /// how many programs there are already.
-pub(super) fn programs(blocks: &[Block<'_>], nests: &Nests, before: usize) -> (Vec<Output>, Vec<Diagnostic>) {
+pub(super) fn programs(
+    blocks: &[Block<'_>],
+    nests: &Nests,
+    before: usize,
+    watch: &mut dyn FnMut(Making),
+) -> (Vec<Output>, Vec<Diagnostic>) {
     let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
     for nest in nests.sheets.iter().filter(|nest| nest.programs != Programs::Boards) {
         let mut failures = Vec::new();
         let wanted = nest.names.iter().enumerate().filter(|(place, _)| is_wanted(blocks, nest, *place));
         for (place, name) in wanted {
+            watch(Making::Sheets { done: place, of: nest.names.len() });
             let number =
                 u32::try_from(before + outputs.len()).map_or(u32::MAX, |last| last.saturating_add(1));
             match one(blocks, nest, place, number) {

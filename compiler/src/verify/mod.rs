@@ -3,6 +3,7 @@
 //! `export` or `outputs`: every format has a reader of its own here; programs are read by `readback`. Opens no file:
 //! bytes come through [`Folder`]. Findings are plain data; nobody is told here.
 
+mod bars;
 mod btlx;
 mod csv;
 mod dxf;
@@ -12,8 +13,10 @@ mod glb;
 mod html;
 mod labels;
 mod lists;
+mod machine;
 mod manifest;
 mod nc;
+mod nc_text;
 mod report;
 mod sheet_nc;
 mod sheets;
@@ -23,9 +26,10 @@ mod xml;
 pub use finding::Finding;
 pub use manifest::{KINDS, Listed, Manifest, NotAManifest};
 
+use std::collections::BTreeSet;
+
 use finding::Findings;
 use report::Report;
-use std::collections::BTreeMap;
 
 /// What is to be verified: names relative to the folder, with `/`, and their bytes.
 pub trait Folder {
@@ -113,8 +117,8 @@ struct Boards<'a> {
     /// Whether nothing was left out.
     whole: bool,
     dxf: Vec<dxf::Drawing>,
-    nc: Vec<nc::Program>,
-    sheet_nc: Vec<nc::Program>,
+    nc: Vec<nc_text::NcFile>,
+    sheet_nc: Vec<nc_text::NcFile>,
     /// Pictures and drawings of sheets.
     shown: Vec<sheets::Shown>,
     /// Where boards lie; none without a list that could be read.
@@ -125,8 +129,7 @@ impl Boards<'_> {
     /// The files that could not be read after all.
     fn together(&self, findings: &mut Findings) -> Vec<String> {
         dxf::check_together(&self.dxf, findings);
-        let mut machines = BTreeMap::new();
-        let mut unread = nc::check_together(&self.nc, &self.dxf, self.report, &mut machines, findings);
+        let mut unread = nc::check_together(&self.nc, &self.dxf, self.report, findings);
         let (Some(report), Some(lying)) = (self.report, &self.lying) else {
             unread.extend(self.shown.iter().map(|shown| shown.path.clone()));
             unread.extend(self.sheet_nc.iter().map(|program| program.path.clone()));
@@ -135,17 +138,15 @@ impl Boards<'_> {
         let raws = sheets::raws(report);
         for shown in &self.shown {
             let name = sheets::name_of(&shown.path);
-            match raws.get(name) {
-                Some((raw, _)) => sheets::compare(shown, name, *raw, lying, findings),
+            match raws.iter().find(|(sheet, ..)| sheet == name) {
+                Some((_, raw, _)) => sheets::compare(shown, name, *raw, lying, findings),
                 None => findings.add(&shown.path, "the sheet", "one of report.json", name),
             }
         }
-        for program in &self.sheet_nc {
-            let set = sheet_nc::Set { drawings: &self.dxf, report, machines: &machines, raws: &raws, lying };
-            if !set.check(program, findings) {
-                unread.push(program.path.clone());
-            }
-        }
+        let boards: BTreeSet<&str> = self.nc.iter().map(|file| file.address.as_str()).collect();
+        let before = boards.len() as u32;
+        let set = sheet_nc::Set { drawings: &self.dxf, report, raws: &raws, lying, before };
+        unread.extend(set.check(&self.sheet_nc, findings));
         unread
     }
 }
@@ -189,6 +190,12 @@ fn judge(
                 boards.lying = Some(sheets::read(text, report, boards.whole, findings));
             }
         }
+        ("stock.csv", _) => {
+            let Some(report) = boards.report else { return false };
+            if let Some(text) = known(findings) {
+                bars::check(text, report, boards.whole, findings);
+            }
+        }
         (_, "svg") if path.starts_with("sheets/") => {
             if let Some(text) = known(findings) {
                 boards.shown.push(sheets::picture(path, text, findings));
@@ -201,7 +208,7 @@ fn judge(
         }
         (_, "nc") if path.starts_with("sheets/") => {
             if let Some(text) = known(findings) {
-                boards.sheet_nc.extend(nc::read(file, text, findings));
+                boards.sheet_nc.push(nc_text::NcFile::read(file, text));
             }
         }
         (_, "dxf") if path.starts_with("boards/") => {
@@ -211,7 +218,7 @@ fn judge(
         }
         (_, "nc") if path.starts_with("boards/") => {
             if let Some(text) = known(findings) {
-                boards.nc.extend(nc::read(file, text, findings));
+                boards.nc.push(nc_text::NcFile::read(file, text));
             }
         }
         _ => return false,

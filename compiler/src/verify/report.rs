@@ -9,6 +9,7 @@ use serde_json::Value;
 use super::Manifest;
 use super::finding::Findings;
 use super::form;
+use super::machine::Workshop;
 
 /// The version of the report that is known here.
 const SCHEMA_VERSION: u64 = 1;
@@ -59,6 +60,8 @@ pub(super) struct Report {
     pub(super) design: String,
     pub(super) design_hash: String,
     pub(super) parts: Vec<Part>,
+    /// For each fabrication what its programs are made with; none where no machine is named.
+    pub(super) workshops: Vec<Option<Workshop>>,
     pub(super) by_address: BTreeMap<String, usize>,
     pub(super) value: Value,
 }
@@ -77,6 +80,7 @@ pub(super) fn read(bytes: &[u8], manifest: &Manifest, findings: &mut Findings) -
         design: text("design"),
         design_hash: text("design_hash"),
         parts: Vec::new(),
+        workshops: Vec::new(),
         by_address: BTreeMap::new(),
         value: value.clone(),
     };
@@ -87,6 +91,12 @@ pub(super) fn read(bytes: &[u8], manifest: &Manifest, findings: &mut Findings) -
         let parts: Vec<Part> =
             list(fabrication, "parts").iter().map(|value| part(value, block, is_plank)).collect();
         totals(fabrication, &parts, findings);
+        let machine = fabrication.get("machine").filter(|machine| !machine.is_null());
+        let workshop = machine.and_then(Workshop::of);
+        if machine.is_some() && workshop.is_none() {
+            findings.add(PATH, "the machine", "one that can work", "another");
+        }
+        report.workshops.push(workshop);
         for part in parts {
             one(&part, findings);
             if report.by_address.insert(part.address.clone(), report.parts.len()).is_some() {

@@ -1,6 +1,5 @@
-//! Programs of sheets: each is read back against all boards that `nest.csv` lays on its sheet, with the machine that the
-//! programs of single boards tell of. Without those, without drawings of all its boards, in other dialects than the base
-//! one, and for boards that are not held by the table alone, a program is known by its hash.
+//! Programs of sheets: each is read back against all boards that `nest.csv` lays on its sheet, with the machine of
+//! `report.json`. Without drawings of all its boards a program is known by its hash.
 
 use std::collections::BTreeMap;
 
@@ -9,69 +8,82 @@ use serde_json::Value;
 
 use super::dxf::Drawing;
 use super::finding::Findings;
-use super::nc::{Program, can_be_cut, job, tell};
+use super::machine::Workshop;
+use super::nc::{can_be_cut, job, read_by_any};
+use super::nc_text::NcFile;
 use super::report::Report;
 use super::sheets::{Lying, NEAR, Raw, name_of, turned};
 use crate::fabricate::cut_job::{CutJob, MAX_PARTS};
-use crate::fabricate::machine::Machine;
-use crate::readback::{Expected, ExpectedPart, read_back};
+use crate::readback::{Expected, ExpectedPart};
 
 /// What programs of sheets are held against.
 pub(super) struct Set<'a> {
     pub(super) drawings: &'a [Drawing],
     pub(super) report: &'a Report,
-    /// By the number of the fabrication.
-    pub(super) machines: &'a BTreeMap<usize, Machine>,
-    pub(super) raws: &'a BTreeMap<String, (Raw, Value)>,
+    /// By the names of sheets, in the order of the report.
+    pub(super) raws: &'a [(String, Raw, Value)],
     pub(super) lying: &'a [Lying],
+    /// How many programs of boards there are: those of sheets are numbered after them.
+    pub(super) before: u32,
 }
 
 impl Set<'_> {
-    /// Reads a program back; whether it could be.
-    pub(super) fn check(&self, program: &Program, findings: &mut Findings) -> bool {
-        let path = program.path.as_str();
-        let name = name_of(path);
+    /// Reads the programs back; the files that could not be.
+    pub(super) fn check(&self, files: &[NcFile], findings: &mut Findings) -> Vec<String> {
+        let mut programs: BTreeMap<&str, Vec<&NcFile>> = BTreeMap::new();
+        for file in files {
+            programs.entry(name_of(&file.path)).or_default().push(file);
+        }
+        let mut unread = Vec::new();
+        let mut number = self.before;
+        for (name, raw, _) in self.raws {
+            let Some(files) = programs.remove(name.as_str()) else { continue };
+            number += 1;
+            if !self.one(&files, name, *raw, number, findings) {
+                unread.extend(files.iter().map(|file| file.path.clone()));
+            }
+        }
+        for file in programs.into_values().flatten() {
+            findings.add(&file.path, "the sheet", "one of report.json", name_of(&file.path));
+        }
+        unread
+    }
+
+    /// Reads the program of a sheet; whether it could be.
+    fn one(&self, files: &[&NcFile], name: &str, raw: Raw, number: u32, findings: &mut Findings) -> bool {
         let here: Vec<&Lying> = self.lying.iter().filter(|board| board.sheet == name).collect();
         let first = here.first().and_then(|board| self.report.part(&board.address));
-        let machine = first.and_then(|part| self.machines.get(&part.block));
-        let (Some((raw, _)), Some(machine)) = (self.raws.get(name), machine) else { return false };
-        // A spare cutter may have taken the place of the one that cuts the boards alone.
-        if program.cutter() != Some(machine.spec().cutter) {
-            return false;
-        }
-        let Some(jobs) = self.jobs(program, &here) else { return false };
+        let workshop = first.and_then(|part| self.report.workshops.get(part.block)?.as_ref());
+        let Some(workshop) = workshop else { return false };
+        let Some(jobs) = self.jobs(files[0], workshop, &here) else { return false };
         if here.len() > MAX_PARTS || !jobs.iter().all(can_be_cut) {
             return false;
         }
-        if !program.is_read() {
-            findings.add(path, "the program", "the dialect and fixing of the boards", "another");
-            return true;
-        }
-        let said: &[String] = program.header.get("at").map_or(&[], Vec::as_slice);
+        let header = workshop.dialect().map(|dialect| files[0].header(dialect.profile())).unwrap_or_default();
+        let said: &[String] = header.get("at").map_or(&[], Vec::as_slice);
         let parts = here.iter().zip(&jobs).enumerate().map(|(place, (board, job))| ExpectedPart {
             job,
             outline: placed(board, job, said.get(place).map_or("", String::as_str)),
             turned: 90 * u32::from(board.quarters),
         });
-        let expected = Expected {
-            parts: parts.collect(),
+        let parts: Vec<ExpectedPart<'_>> = parts.collect();
+        let expected = |machine| Expected {
+            parts: parts.clone(),
             machine,
             stock: raw.size,
             thickness: jobs.first().map_or(0.0, |job| job.thickness),
             sheet: name.to_owned(),
-            number: 1,
+            number,
         };
-        if let Err(faults) = read_back(&program.text, &expected) {
-            tell(path, &faults, findings);
-        }
+        read_by_any(files, workshop, expected, findings);
         true
     }
 
-    fn jobs(&self, program: &Program, here: &[&Lying]) -> Option<Vec<CutJob>> {
+    fn jobs(&self, file: &NcFile, workshop: &Workshop, here: &[&Lying]) -> Option<Vec<CutJob>> {
         let job = |board: &&Lying| {
             let part = self.report.part(&board.address)?;
             let drawing = self.drawings.iter().find(|drawing| drawing.address == board.address)?;
-            Some(job(part, Some(drawing), program, self.report))
+            Some(job(part, Some(drawing), file, workshop, self.report))
         };
         here.iter().map(job).collect()
     }

@@ -1,7 +1,7 @@
 //! Nested sheets: `nest.csv` against `report.json`, no two boards nearer than the nest allows; pictures and drawings of
 //! sheets against where `nest.csv` says that boards lie. Programs of sheets are read in `nc`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use glam::DVec2;
 use serde_json::Value;
@@ -62,16 +62,16 @@ pub(super) fn turned(point: DVec2, quarters: u8) -> DVec2 {
     }
 }
 
-/// The raw boards of the report by the names of their sheets, each with what the report says of it.
-pub(super) fn raws(report: &Report) -> BTreeMap<String, (Raw, Value)> {
+/// The sheets of the report in order: their names, raw boards, and what the report says of each.
+pub(super) fn raws(report: &Report) -> Vec<(String, Raw, Value)> {
     let number = |value: &Value, name: &str| value.get(name).and_then(Value::as_f64).unwrap_or(f64::NAN);
-    let mut raws = BTreeMap::new();
+    let mut raws = Vec::new();
     for nest in list(&report.value, "sheets") {
         let size = DVec2::new(number(nest, "length_mm"), number(nest, "width_mm"));
         let raw = Raw { size, margin: number(nest, "margin_mm"), gap: number(nest, "gap_mm") };
         for sheet in list(nest, "sheets") {
             let name = sheet.get("name").and_then(Value::as_str).unwrap_or_default();
-            raws.insert(name.to_owned(), (raw, sheet.clone()));
+            raws.push((name.to_owned(), raw, sheet.clone()));
         }
     }
     raws
@@ -108,7 +108,7 @@ pub(super) fn read(text: &str, report: &Report, whole: bool, findings: &mut Find
     if let Some(part) = nested.into_iter().find(|part| whole && !met.contains(&part.address)) {
         findings.add(LIST, "rows", format!("one for {}", part.address), "none");
     }
-    for (name, (raw, sheet)) in raws(report) {
+    for (name, raw, sheet) in raws(report) {
         let here: Vec<&Lying> = lying.iter().filter(|board| board.sheet == name).collect();
         of_sheet(&name, raw, &sheet, &here, findings);
     }

@@ -1,4 +1,4 @@
-//! What most of many files say: the figures of a machine, the frame of a drawing. One damaged file does not change it.
+//! What most of many files say: the lines of programs, the frame of a drawing. One damaged file does not change it.
 
 use std::collections::BTreeMap;
 
@@ -10,11 +10,4 @@ pub(super) fn most<T: Ord>(values: impl IntoIterator<Item = T>) -> Option<T> {
     }
     let greatest = counts.values().copied().max()?;
     counts.into_iter().find(|(_, count)| *count == greatest).map(|(value, _)| value)
-}
-
-/// As [`most`] for numbers, told apart to the thousandth.
-pub(super) fn most_number(values: impl IntoIterator<Item = f64>) -> Option<f64> {
-    let thousandths = |value: f64| (value * 1000.0).round() as i64;
-    most(values.into_iter().filter(|value| value.is_finite()).map(thousandths))
-        .map(|value| value as f64 / 1000.0)
 }

@@ -16,17 +16,42 @@ export async function build(uri?: string | vscode.Uri): Promise<boolean> {
 export async function showReport(storage: vscode.Uri, uri?: string | vscode.Uri): Promise<void> {
   const design = await saved(uri);
   if (!design) return;
-  const folder = path.join(storage.fsPath, createHash("sha256").update(design.fsPath).digest("hex").slice(0, 16));
+  const folder = await made(storage, design, "", ["--emit", "html"]);
+  if (folder) await showPage(`Report of ${path.basename(design.fsPath, ".ifs")}`, path.join(folder, "report.html"));
+}
+
+/** Makes the outputs of one figure in the extension's own folder, and shows those that are chosen. */
+export async function preview(storage: vscode.Uri, uri?: string | vscode.Uri, figure?: string): Promise<void> {
+  const design = await saved(uri);
+  if (!design) return;
+  const folder = await made(storage, design, figure ?? "", figure ? ["--only", `${figure}*`] : []);
+  if (!folder) return;
+  const entries = await fs.promises.readdir(folder, { recursive: true, withFileTypes: true });
+  const files = entries.filter((entry) => entry.isFile()).map((entry) => path.join(entry.parentPath ?? entry.path, entry.name));
+  const names = files.map((file) => path.relative(folder, file)).sort();
+  const placeHolder = `Outputs of ${figure ?? path.basename(design.fsPath)}: which one?`;
+  const chosen = await vscode.window.showQuickPick(names, { placeHolder });
+  if (!chosen) return;
+  const file = path.join(folder, chosen);
+  if (/\.(html|svg)$/.test(chosen)) await showPage(chosen, file);
+  else await vscode.commands.executeCommand("vscode.open", vscode.Uri.file(file), vscode.ViewColumn.Beside);
+}
+
+/** Outputs of a design in a folder of the extension's own, one for each `part` of it; nothing where it cannot be built. */
+async function made(storage: vscode.Uri, design: vscode.Uri, part: string, options: string[]): Promise<string | undefined> {
+  const name = createHash("sha256").update(`${design.fsPath}\n${part}`).digest("hex").slice(0, 16);
+  const folder = path.join(storage.fsPath, name);
   await fs.promises.mkdir(storage.fsPath, { recursive: true });
-  if (!(await run(design, ["--emit", "html", "--out", folder]))) {
-    void vscode.window.showErrorMessage("There is no report, since the design cannot be built: the terminal says why.");
-    return;
-  }
-  const name = path.basename(design.fsPath, ".ifs");
-  const panel = vscode.window.createWebviewPanel("ifs.report", `Report of ${name}`, vscode.ViewColumn.Beside, {
-    enableScripts: true,
-  });
-  panel.webview.html = await fs.promises.readFile(path.join(folder, "report.html"), "utf8");
+  if (await run(design, [...options, "--out", folder])) return folder;
+  void vscode.window.showErrorMessage("There is nothing to show, since the design cannot be built: the terminal says why.");
+  return undefined;
+}
+
+/** Shows a page or a drawing beside the text. */
+async function showPage(title: string, file: string): Promise<void> {
+  const text = await fs.promises.readFile(file, "utf8");
+  const panel = vscode.window.createWebviewPanel("ifs.report", title, vscode.ViewColumn.Beside, { enableScripts: true });
+  panel.webview.html = text;
 }
 
 /** Runs `ifs build` on a design and waits for its end. */

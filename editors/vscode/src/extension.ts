@@ -2,7 +2,7 @@
 
 import * as vscode from "vscode";
 import { LanguageClient, ServerOptions } from "vscode-languageclient/node";
-import { build, showReport } from "./commands";
+import { build, preview, showReport } from "./commands";
 import { program } from "./program";
 
 let client: LanguageClient | undefined;
@@ -16,6 +16,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   context.subscriptions.push(
     vscode.commands.registerCommand("ifs.build", (uri) => build(uri)),
     vscode.commands.registerCommand("ifs.showReport", (uri) => showReport(context.globalStorageUri, uri)),
+    vscode.commands.registerCommand("ifs.preview", (uri, figure) => preview(context.globalStorageUri, uri, figure)),
     vscode.commands.registerCommand("ifs.restart", restart),
     vscode.workspace.onDidChangeConfiguration((change) => {
       if (change.affectsConfiguration("ifs.server") && program() !== started) void restart();
@@ -35,7 +36,12 @@ async function start(): Promise<void> {
   // No transport is named: the client would add `--stdio`.
   const server: ServerOptions = { command, args: ["lsp"] };
   client = new LanguageClient("ifs", "ifs", server, {
-    documentSelector: [{ scheme: "file", language: "ifs" }],
+    documentSelector: [
+      { scheme: "file", language: "ifs" },
+      { scheme: "file", pattern: "**/ifs.toml" },
+    ],
+    // The server puts only those above a design that are said here.
+    initializationOptions: { commands: ["ifs.build", "ifs.showReport", "ifs.preview"] },
   });
   try {
     await client.start();

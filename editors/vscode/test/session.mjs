@@ -129,6 +129,22 @@ await step("report", async () => {
   await page.waitForSelector(".webview.ready", { timeout: 60000 });
   await page.waitForTimeout(2500);
 });
+await step("preview of outputs above the block", async () => {
+  await page.click(".tab >> text=vault.ifs");
+  await palette("View: Hide Panel");
+  await go(27, 1);
+  const lens = page.locator(".codelens-decoration a", { hasText: "preview outputs of vault" });
+  await lens.first().waitFor({ state: "visible", timeout: 20000 });
+  await page.screenshot({ path: `${pictures}/lenses.png` });
+  await lens.first().click({ timeout: 20000 });
+  await page.waitForSelector(".quick-input-widget .monaco-list-row", { state: "visible", timeout: 60000 });
+  await page.screenshot({ path: `${pictures}/outputs-offered.png` });
+  await page.keyboard.type("labels.svg");
+  await page.waitForTimeout(500);
+  await press("Enter");
+  await page.waitForSelector(".tab >> text=labels.svg", { timeout: 20000 });
+  await page.waitForTimeout(2000);
+});
 await browser.close();
 console.log(failed === 0 ? "VS Code: every step succeeded" : `VS Code: ${failed} steps failed`);
 process.exit(failed === 0 ? 0 : 1);

@@ -1,7 +1,7 @@
 //! What the compiler knows and the text does not say, between its words: types, names of arguments, counts, levels, and what
 //! was measured. Each kind is a function of its own.
 
-use ifs_compiler::analysis::{Analysis, value_words};
+use ifs_compiler::analysis::{Analysis, Elements, value_words};
 use ifs_compiler::hir::index::Target;
 use ifs_compiler::hir::schema::Measure;
 use ifs_compiler::hir::type_names::type_name;
@@ -9,7 +9,7 @@ use ifs_compiler::hir::types::Type;
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
 
-use super::lens::counted;
+use super::lens::{counted, fabricated, worst_planarity};
 use super::walk::expressions;
 use super::words::written;
 
@@ -41,6 +41,7 @@ pub(crate) fn hints(analysis: &Analysis, made: Option<&Analysis>, part: Span) ->
     hints.extend(arguments(analysis, tree));
     if let Some(made) = made {
         hints.extend(counts(made, tree));
+        hints.extend(blocks(made, tree));
         hints.extend(levels(made, part.file));
         hints.extend(measured(made, part.file));
     }
@@ -150,7 +151,7 @@ fn says(analysis: &Analysis, argument: &ast::Expr, name: &str) -> bool {
         || text.ends_with(&format!("_{name}"))
 }
 
-/// How many elements each figure has.
+/// How many elements each figure has, and the worst planarity it is designed with where boards are made of it.
 fn counts(made: &Analysis, tree: &ast::File) -> Vec<Hint> {
     let figures = tree.items.iter().filter_map(|item| match &item.kind {
         ast::ItemKind::Figure(figure) => Some((item, figure)),
@@ -158,8 +159,33 @@ fn counts(made: &Analysis, tree: &ast::File) -> Vec<Hint> {
     });
     let hints = figures.filter_map(|(item, figure)| {
         let text = counted(made, &figure.name.text)?;
-        let elements = text.split(" · ").find(|part| part.contains("element"))?.to_owned();
-        Some(Hint { at: item.span.end, text: elements, kind: Kind::Fact, insert: None })
+        let elements = text.split(" · ").find(|part| part.contains("element"))?;
+        let text = match designed_planarity(made, &figure.name.text) {
+            Some(worst) => format!("{elements} · worst planarity {worst} as designed"),
+            None => elements.to_owned(),
+        };
+        Some(Hint { at: item.span.end, text, kind: Kind::Fact, insert: None })
+    });
+    hints.collect()
+}
+
+/// The worst planarity before anything was planarized; none where it is planar by construction.
+fn designed_planarity(made: &Analysis, figure: &str) -> Option<String> {
+    let fabrication = made.fabrications.iter().find(|fabrication| fabrication.figure == figure)?;
+    let Elements::Panels(panels) = &fabrication.elements else { return None };
+    let curved = panels.figures.iter().filter(|figure| !figure.planar);
+    worst_planarity(curved.map(|figure| &figure.designed))
+}
+
+/// What each fabricate block made, behind the word that says of what kind it is.
+fn blocks(made: &Analysis, tree: &ast::File) -> Vec<Hint> {
+    let blocks = tree.items.iter().filter_map(|item| match &item.kind {
+        ast::ItemKind::Fabricate(block) => Some(block),
+        _ => None,
+    });
+    let hints = blocks.filter_map(|block| {
+        let made = made.fabrications.iter().find(|made| made.figure == block.figure.text)?;
+        Some(Hint { at: block.kind.span.end, text: fabricated(made), kind: Kind::Fact, insert: None })
     });
     hints.collect()
 }
@@ -239,5 +265,23 @@ mod tests {
         );
         assert!(shown.contains("‹8 elements›"), "{shown}");
         assert!(shown.contains("require count <= 9‹8›"), "{shown}");
+        assert!(shown.contains("as planks‹8 planks · its requirement holds› {"), "{shown}");
+    }
+
+    #[test]
+    fn boards_and_how_flat_they_are() {
+        let text = "use std.curves (bspline2)\nuse std.surfaces (sheet)\nuse std.materials (birch_plywood)\nlet net = [[(i * 1m, j * 1m, 100mm * i * j) for j in 0..4] for i in 0..4]\nfigure shell = sheet(bspline2, bspline2, net) at level 1\nfabricate shell as panels {\n    material: birch_plywood(12mm)\n    board: 2500mm by 1250mm\n    planarize: { worst: 1, average: 2, select: 0.9999, step: 0.1mm, move: 50mm, iterations: 400 }\n    require planarity >= 0.999\n}\n";
+        let shown = shown(&fixture(text), true);
+        let behind = |words: &str| {
+            let at =
+                shown.find(&format!("{words}‹")).unwrap_or_else(|| panic!("no hint behind {words}: {shown}"));
+            shown[at + words.len() + "‹".len()..].split('›').next().unwrap()
+        };
+        assert!(behind("at level 1").starts_with("16 elements · worst planarity 0.9"), "{shown}");
+        assert!(behind("at level 1").ends_with(" as designed"), "{shown}");
+        assert!(behind("as panels").starts_with("16 boards · worst planarity 0.99"), "{shown}");
+        let worst =
+            |hint: &str| hint.split("planarity ").nth(1).unwrap().split(' ').next().unwrap().to_owned();
+        assert_ne!(worst(behind("at level 1")), worst(behind("as panels")), "as designed, and as built");
     }
 }

@@ -10,7 +10,9 @@ use ifs_compiler::hir::{ItemDocs, item_docs, library_docs, native_item_docs};
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
 
+use super::boards::board;
 use super::facts;
+use super::words::one_spaced;
 
 /// Words on a place, as Markdown.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,6 +32,9 @@ pub(crate) fn hover(
         && let Some(markdown) = target(analysis, made, name.target)
     {
         return Some(Hover { span: name.span, markdown });
+    }
+    if let Some((span, markdown)) = made.and_then(|made| board(analysis, made, file, offset)) {
+        return Some(Hover { span, markdown });
     }
     let (span, ty) = analysis.index.type_at(file, offset)?;
     Some(Hover { span, markdown: code(&type_name(&analysis.hir.items, ty)) })
@@ -61,9 +66,9 @@ fn code(text: &str) -> String {
 fn documented(docs: &ItemDocs) -> String {
     let said = docs.docs.join("\n");
     if said.trim().is_empty() {
-        code(&docs.signature)
+        code(&one_spaced(&docs.signature))
     } else {
-        format!("{}\n---\n{said}", code(&docs.signature))
+        format!("{}\n---\n{said}", code(&one_spaced(&docs.signature)))
     }
 }
 
@@ -114,7 +119,7 @@ fn line_of(analysis: &Analysis, span: Span) -> String {
     let line = source.lines.bytes(span.start).line;
     let start = source.lines.line_start(line).unwrap_or(0);
     let end = source.lines.line_start(line + 1).unwrap_or(source.text.len() as u32);
-    source.slice(Span::new(span.file, start, end)).trim().to_owned()
+    one_spaced(source.slice(Span::new(span.file, start, end)).trim())
 }
 
 fn item(

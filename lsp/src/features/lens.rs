@@ -3,49 +3,53 @@
 use ifs_compiler::analysis::{Analysis, Elements, Fabrication, value_words};
 use ifs_compiler::fabricate::panel::PanelRefusal;
 use ifs_compiler::fabricate::plank::PlankRefusal;
-use ifs_compiler::geometry::MeshSummary;
+use ifs_compiler::geometry::{MeshSummary, QuadMesh};
 use ifs_compiler::hir::schema::Measure;
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
 
-/// What a click does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Act {
-    /// Nothing: it is only said.
-    None,
+/// What a lens shows or does.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Shows {
+    /// Words; a click does nothing.
+    Said(String),
     /// Writes the outputs of the design.
     Build,
     /// Shows the report of the design.
-    ShowReport,
+    Report,
+    /// Shows the outputs of the boards or planks of this figure.
+    Preview(String),
 }
 
 /// A line above another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Lens {
     pub(crate) span: Span,
-    pub(crate) title: String,
-    pub(crate) act: Act,
+    pub(crate) shows: Shows,
 }
 
-/// The lenses of a file; `made` is the design worked out as it is now.
+/// The lenses of a file; `made` is the design worked out as it is now. What is done with the whole design stands above its
+/// first fabricate block.
 pub(crate) fn lenses(analysis: &Analysis, made: Option<&Analysis>, file: FileId) -> Vec<Lens> {
     let Some(parsed) = analysis.files.iter().find(|parsed| parsed.file == file) else { return Vec::new() };
     let mut found = Vec::new();
+    let mut is_first = true;
     for item in &parsed.parse.ast.items {
         match &item.kind {
             ast::ItemKind::Figure(figure) => {
-                let title = made.and_then(|made| counted(made, &figure.name.text));
-                found.extend(title.map(|title| Lens { span: figure.name.span, title, act: Act::None }));
+                let said = made.and_then(|made| counted(made, &figure.name.text));
+                found.extend(said.map(|said| Lens { span: figure.name.span, shows: Shows::Said(said) }));
             }
             ast::ItemKind::Fabricate(block) => {
                 let span = block.figure.span;
+                let figure = &block.figure.text;
                 let made = made
-                    .and_then(|made| made.fabrications.iter().find(|made| made.figure == block.figure.text));
-                let title = made.map(fabricated);
-                found.extend(title.map(|title| Lens { span, title, act: Act::None }));
-                let act = |title: &str, act| Lens { span, title: title.to_owned(), act };
-                found.push(act("build", Act::Build));
-                found.push(act("show report", Act::ShowReport));
+                    .and_then(|made| made.fabrications.iter().find(|made| made.figure == *figure))
+                    .map(|made| Shows::Said(fabricated(made)));
+                let whole = if is_first { vec![Shows::Build, Shows::Report] } else { Vec::new() };
+                is_first = false;
+                let own = (!figure.is_empty()).then(|| Shows::Preview(figure.clone()));
+                found.extend(made.into_iter().chain(whole).chain(own).map(|shows| Lens { span, shows }));
             }
             _ => {}
         }
@@ -86,18 +90,22 @@ fn grouped(count: u64) -> String {
     text
 }
 
+/// The planarity of the least planar quad of some surfaces.
+pub(super) fn worst_planarity<'a>(surfaces: impl Iterator<Item = &'a QuadMesh>) -> Option<String> {
+    let worst = surfaces.filter_map(|surface| MeshSummary::of(surface).worst);
+    let worst = worst.map(|extreme| extreme.value).min_by(f64::total_cmp)?;
+    Some(value_words(Measure::Planarity, worst))
+}
+
 /// What a block made: `1 024 boards · worst planarity 0.9996 · 2 too long`.
-fn fabricated(made: &Fabrication) -> String {
+pub(super) fn fabricated(made: &Fabrication) -> String {
     let mut parts = Vec::new();
     let total = made.elements.total() as u64;
     let refused = match &made.elements {
         Elements::Panels(panels) => {
             parts.push(plural(total, "board"));
-            let worst = panels.figures.iter().filter_map(|figure| MeshSummary::of(&figure.built).worst);
-            let worst = worst.map(|extreme| extreme.value).min_by(f64::total_cmp);
-            parts.extend(
-                worst.map(|worst| format!("worst planarity {}", value_words(Measure::Planarity, worst))),
-            );
+            let worst = worst_planarity(panels.figures.iter().map(|figure| &figure.built));
+            parts.extend(worst.map(|worst| format!("worst planarity {worst}")));
             let large = |reason: &PanelRefusal| matches!(reason, PanelRefusal::TooLarge { .. });
             let large = panels.refused.iter().filter(|refused| large(&refused.reason)).count();
             if large > 0 {
@@ -141,11 +149,13 @@ mod tests {
         let design = fixture(text);
         let shown = |made: Option<&Analysis>| {
             let lenses = lenses(&design.analysis, made, design.analysis.root);
-            let shown =
-                lenses.iter().map(|lens| format!("{}: {}", written(&design.analysis, lens.span), lens.title));
+            let shown = lenses.iter().map(|lens| match &lens.shows {
+                Shows::Said(said) => format!("{}: {said}", written(&design.analysis, lens.span)),
+                shows => format!("{}: {shows:?}", written(&design.analysis, lens.span)),
+            });
             shown.collect::<Vec<_>>()
         };
-        assert_eq!(shown(None), ["shell: build", "shell: show report"]);
+        assert_eq!(shown(None), ["shell: Build", "shell: Report", "shell: Preview(\"shell\")"]);
         let made = design.made();
         let told = shown(Some(&made));
         assert_eq!(told[0], "shell: 16 elements · 25 vertices");

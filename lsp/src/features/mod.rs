@@ -1,6 +1,7 @@
 //! What an editor can ask, one file each: pure functions of an analysis and a place, giving plain data. No message format
 //! and no document lives here.
 
+mod boards;
 pub(crate) mod calls;
 pub(crate) mod completion;
 pub(crate) mod definition;
@@ -16,6 +17,7 @@ pub(crate) mod lens;
 pub(crate) mod links;
 #[cfg(test)]
 mod properties;
+pub(crate) mod refactor;
 pub(crate) mod references;
 pub(crate) mod rename;
 pub(crate) mod search;

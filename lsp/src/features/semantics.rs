@@ -111,7 +111,20 @@ pub(crate) fn semantics(analysis: &Analysis, file: FileId, part: Option<Span>) -
         };
         Some(Meant { span: token.span, meaning, modifiers })
     });
-    meant.collect()
+    meant.flat_map(|meant| by_line(&source.text, meant)).collect()
+}
+
+/// A token line by line, without their ends: editors draw a token on one line. A comment between `/*` and `*/`
+/// and a carriage return alone in a comment or a text go over several.
+fn by_line(text: &str, meant: Meant) -> impl Iterator<Item = Meant> + '_ {
+    let inside = &text[meant.span.range()];
+    let lines = inside.split_inclusive(['\r', '\n']).scan(meant.span.start, move |start, line| {
+        let kept = line.trim_end_matches(['\r', '\n']).len() as u32;
+        let span = Span::new(meant.span.file, *start, *start + kept);
+        *start += line.len() as u32;
+        Some(Meant { span, ..meant })
+    });
+    lines.filter(|line| line.span.start < line.span.end)
 }
 
 fn is_operator(kind: TokenKind) -> bool {
@@ -262,6 +275,26 @@ mod tests {
             "require:keyword mitre:property.def",
         ] {
             assert!(found.contains(part), "no {part}: {found}");
+        }
+    }
+
+    #[test]
+    fn a_token_ends_with_its_line() {
+        assert_eq!(
+            shown("// a\r\n//\rb  c\r\r\nlet d = \"e\rf\"").join("|"),
+            "// a:comment|//:comment|b  c:comment|let:keyword|d:variable.dec.rea|\"e:string|f\":string"
+        );
+        // A comment of other languages is an error, but one token.
+        assert_eq!(
+            shown("/* a\n  b */ let c = 1").join("|"),
+            "/* a:comment|  b */:comment|let:keyword|c:variable.dec.rea"
+        );
+        // No text goes over a line feed: there are no raw ones, and a backslash does not carry it on.
+        let design = fixture("let c = \"d\ne\" + 1\n r\"h\ni\" \"j\\\nk\" r#\"l\nm\"#");
+        let text = &design.analysis.sources.get(design.analysis.root).unwrap().text;
+        for token in &design.analysis.files[0].parse.tokens {
+            let apart = matches!(token.kind, TokenKind::Whitespace | TokenKind::Comment);
+            assert!(apart || !text[token.span.range()].contains('\n'), "{token:?}");
         }
     }
 

@@ -78,6 +78,8 @@ pub(crate) fn capabilities(
         code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
             code_action_kinds: Some(vec![
                 CodeActionKind::QUICKFIX,
+                CodeActionKind::REFACTOR_EXTRACT,
+                CodeActionKind::REFACTOR_INLINE,
                 FIX_ALL,
                 CodeActionKind::SOURCE_ORGANIZE_IMPORTS,
             ]),

@@ -1,19 +1,19 @@
 //! Code actions: quick fixes at the diagnostics of a range, and what is done to a whole file.
 
 use ifs_compiler::diagnostic::{Diagnostic, Edit};
+use ifs_compiler::source::Span;
 use tower_lsp::ls_types::*;
 
+use super::neighbours::{imports, read_with};
 use crate::features::fixes::{self, Mend};
+use crate::features::refactor::{self, Refactoring};
 use crate::protocol::capabilities::FIX_ALL;
 use crate::protocol::diagnostics::diagnostic;
 use crate::world::Snapshot;
 
 /// What can be done in a range, of the kinds that the client asks for; all where it asks for none.
-pub(super) fn actions(
-    snapshot: &Snapshot,
-    range: Range,
-    only: Option<&[CodeActionKind]>,
-) -> CodeActionResponse {
+pub(super) fn actions(snapshot: &Snapshot, range: Range, context: &CodeActionContext) -> CodeActionResponse {
+    let only = context.only.as_deref();
     let wanted = |kind: &CodeActionKind| {
         only.is_none_or(|only| only.iter().any(|asked| is_within(kind.as_str(), asked.as_str())))
     };
@@ -21,8 +21,23 @@ pub(super) fn actions(
     if wanted(&CodeActionKind::QUICKFIX) {
         for found_here in here(snapshot, range) {
             let told = diagnostic(&snapshot.places, &snapshot.analysis, found_here, snapshot.encoding);
-            let mends = fixes::mends(&snapshot.analysis, found_here);
+            let mut mends = fixes::mends(&snapshot.analysis, found_here);
+            mends.extend(imports(snapshot, found_here));
             found.extend(mends.into_iter().filter_map(|mend| quick_fix(snapshot, mend, &told)));
+        }
+    }
+    // Each is a reading of the design: not at every step of the caret.
+    if context.trigger_kind != Some(CodeActionTriggerKind::AUTOMATIC) {
+        if wanted(&CodeActionKind::REFACTOR_EXTRACT) && range.start != range.end {
+            let span =
+                Span::new(snapshot.analysis.root, snapshot.offset(range.start), snapshot.offset(range.end));
+            let extracted = refactor::extract(&snapshot.analysis, span);
+            found.extend(extracted.and_then(|it| kept(snapshot, it, CodeActionKind::REFACTOR_EXTRACT)));
+        }
+        if wanted(&CodeActionKind::REFACTOR_INLINE) {
+            let at = snapshot.offset(range.start);
+            let inlined = refactor::inline(&snapshot.analysis, snapshot.analysis.root, at);
+            found.extend(inlined.and_then(|it| kept(snapshot, it, CodeActionKind::REFACTOR_INLINE)));
         }
     }
     // What is done to a whole file is offered where it is asked for: not beside every mistake.
@@ -50,6 +65,19 @@ fn here(snapshot: &Snapshot, range: Range) -> impl Iterator<Item = &Diagnostic> 
         found.span.file == root && found.span.start <= end && start <= found.span.end
     };
     snapshot.diagnostics.iter().filter(touches)
+}
+
+/// A refactoring after which the design means the same.
+fn kept(snapshot: &Snapshot, refactoring: Refactoring, kind: CodeActionKind) -> Option<CodeAction> {
+    let source = snapshot.analysis.sources.get(snapshot.analysis.root)?;
+    let after = read_with(snapshot, refactoring.applied(&source.text))?;
+    let edits = if source.text.contains("\r\n") {
+        refactoring.with_line_ends("\r\n")
+    } else {
+        refactoring.edits.clone()
+    };
+    let keeps = refactoring.keeps(&snapshot.analysis, &after);
+    keeps.then(|| whole(snapshot, &refactoring.title, kind, edits)).flatten()
 }
 
 fn quick_fix(snapshot: &Snapshot, mend: Mend, told: &tower_lsp::ls_types::Diagnostic) -> Option<CodeAction> {

@@ -16,6 +16,7 @@ use crate::world::names::Names;
 use crate::world::overlay::Overlay;
 use crate::world::owner::Moment;
 use crate::world::places::Places;
+use crate::world::project_file::{project_file, with_project_file};
 use crate::world::projects::Projects;
 use crate::world::{Encoding, Snapshot};
 
@@ -50,7 +51,7 @@ fn others(
     snapshot: &Snapshot,
     of: impl Fn(FileId) -> Vec<Diagnostic>,
 ) -> Vec<(Uri, DocumentDiagnosticReportKind)> {
-    let files = snapshot.analysis.files.iter().map(|file| file.file);
+    let files = snapshot.analysis.files.iter().map(|file| file.file).chain(project_file(&snapshot.analysis));
     let others = files.filter(|file| *file != snapshot.analysis.root).filter_map(|file| {
         let path = snapshot.places.path(&snapshot.analysis, file)?;
         let Report::New(full) = report(of(file), None) else { return None };
@@ -88,6 +89,8 @@ struct Kept {
     disk: u64,
     encoding: Encoding,
     items: Vec<Diagnostic>,
+    /// The project's `ifs.toml`, and what is wrong in it for this design.
+    project: Option<(PathBuf, Vec<Diagnostic>)>,
 }
 
 /// The designs of the workspace that are not open, read when they or what they are made of has changed. They are not
@@ -113,17 +116,25 @@ impl Workspace {
         paths.retain(|path| !moment.open.contains_key(path));
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept.retain(|path, _| paths.contains(path));
-        let reports = paths.into_iter().filter_map(|path| {
-            let uri = uri_of(names, &path)?;
+        let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
+        for path in paths {
             if !kept.get(&path).is_some_and(|kept| is_current(kept, moment)) {
-                kept.insert(path.clone(), look(projects, names, &path, moment)?);
+                let Some(looked) = look(projects, names, &path, moment) else { continue };
+                kept.insert(path.clone(), looked);
             }
-            let items = kept.get(&path)?.items.clone();
-            Some(workspace_report(
-                uri.clone(),
-                None,
-                report(items, known.get(uri.as_str()).map(String::as_str)),
-            ))
+            let Some(kept) = kept.get(&path) else { continue };
+            if let Some((file, items)) =
+                kept.project.as_ref().filter(|(file, _)| !moment.open.contains_key(file))
+            {
+                let all = found.entry(file.clone()).or_default();
+                all.extend(items.iter().filter(|item| !all.contains(item)).cloned().collect::<Vec<_>>());
+            }
+            found.entry(path).or_default().extend(kept.items.iter().cloned());
+        }
+        let reports = found.into_iter().filter_map(|(path, items)| {
+            let uri = uri_of(names, &path)?;
+            let known = known.get(uri.as_str()).map(String::as_str);
+            Some(workspace_report(uri, None, report(items, known)))
         });
         reports.collect()
     }
@@ -171,7 +182,8 @@ fn is_current(kept: &Kept, moment: &Moment) -> bool {
 
 fn look(projects: &Arc<dyn Projects>, names: &Names, path: &Path, moment: &Moment) -> Option<Kept> {
     let overlay = Overlay { project: projects.project(path)?, open: Arc::clone(&moment.open) };
-    let analysis: Analysis = read(&overlay, &overlay.project.design, &overlay.project.overrides);
+    let mut analysis: Analysis = read(&overlay, &overlay.project.design, &overlay.project.overrides);
+    with_project_file(&mut analysis, &overlay);
     let root = overlay.project.root;
     let places = Places { root, projects: Arc::clone(projects), names: names.clone() };
     let files = analysis.files.iter().filter_map(|file| places.path(&analysis, file.file));
@@ -179,11 +191,12 @@ fn look(projects: &Arc<dyn Projects>, names: &Names, path: &Path, moment: &Momen
         let version = moment.open.get(&path).map(|document| document.version);
         (path, version)
     });
-    let own = analysis.diagnostics.iter().filter(|found| found.span.file == analysis.root);
-    Some(Kept {
-        made_of: made_of.collect(),
-        disk: moment.disk,
-        encoding: moment.encoding,
-        items: own.map(|one| diagnostic(&places, &analysis, one, moment.encoding)).collect(),
-    })
+    let made_of = made_of.collect();
+    let of = |file: FileId| -> Vec<Diagnostic> {
+        let found = analysis.diagnostics.iter().filter(|found| found.span.file == file);
+        found.map(|one| diagnostic(&places, &analysis, one, moment.encoding)).collect()
+    };
+    let project = project_file(&analysis).and_then(|file| Some((places.path(&analysis, file)?, of(file))));
+    let (items, disk, encoding) = (of(analysis.root), moment.disk, moment.encoding);
+    Some(Kept { made_of, disk, encoding, items, project })
 }

@@ -8,6 +8,7 @@ use std::time::Duration;
 use tower_lsp::Client;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
+use crate::protocol::commands::Commands;
 use crate::protocol::diagnostics::diagnostic;
 use crate::protocol::uri::uri_of;
 use crate::world::Encoding;
@@ -26,6 +27,8 @@ pub(crate) struct Told {
     pub(crate) watches: bool,
     /// It fills in the places of snippets.
     pub(crate) snippets: bool,
+    /// What its extension can carry out.
+    pub(crate) commands: Commands,
     /// What it asks for again when it is told to.
     pub(crate) refreshed: Refreshed,
 }

@@ -5,6 +5,7 @@ use serde_json::json;
 use tower_lsp::ls_types::*;
 
 use crate::features::{folding, format, hints, lens, selection};
+use crate::protocol::commands::{BUILD, Commands, PREVIEW, SHOW_REPORT};
 use crate::world::Snapshot;
 
 fn part(snapshot: &Snapshot, range: Range) -> Span {
@@ -40,19 +41,26 @@ pub(super) fn hints(snapshot: &Snapshot, range: Range) -> Vec<InlayHint> {
     hints.collect()
 }
 
-pub(super) fn lenses(snapshot: &Snapshot, uri: &Uri) -> Vec<CodeLens> {
+/// The lenses whose command the client can carry out, and those that only say something.
+pub(super) fn lenses(snapshot: &Snapshot, uri: &Uri, known: Commands) -> Vec<CodeLens> {
+    let design =
+        snapshot.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let found = lens::lenses(&snapshot.analysis, made(snapshot), snapshot.analysis.root);
-    let lenses = found.into_iter().map(|lens| {
-        let (command, arguments) = match lens.act {
-            lens::Act::None => ("", None),
-            lens::Act::Build => ("ifs.build", Some(vec![json!(uri.as_str())])),
-            lens::Act::ShowReport => ("ifs.showReport", Some(vec![json!(uri.as_str())])),
+    let lenses = found.into_iter().filter_map(|found| {
+        let of_design = vec![json!(uri.as_str())];
+        let (is_known, title, command, arguments) = match found.shows {
+            lens::Shows::Said(words) => (true, words, "", None),
+            lens::Shows::Build => (known.build, format!("build {design}"), BUILD, Some(of_design)),
+            lens::Shows::Report => {
+                (known.show_report, format!("show report of {design}"), SHOW_REPORT, Some(of_design))
+            }
+            lens::Shows::Preview(figure) => {
+                let title = format!("preview outputs of {figure}");
+                (known.preview, title, PREVIEW, Some(vec![json!(uri.as_str()), json!(figure)]))
+            }
         };
-        CodeLens {
-            range: snapshot.range(lens.span),
-            command: Some(Command { title: lens.title, command: command.to_owned(), arguments }),
-            data: None,
-        }
+        let command = Command { title, command: command.to_owned(), arguments };
+        is_known.then(|| CodeLens { range: snapshot.range(found.span), command: Some(command), data: None })
     });
     lenses.collect()
 }

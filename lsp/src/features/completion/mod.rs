@@ -23,6 +23,7 @@ use ifs_compiler::syntax::TokenKind;
 
 use super::supplement::supplemented;
 use super::tokens::{Before, Cursor, cursor};
+pub(super) use imports::{relative, to_import};
 pub(crate) use names::library_item_docs;
 use place::{Place, place};
 

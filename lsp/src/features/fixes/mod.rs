@@ -5,6 +5,7 @@
 mod apart;
 mod case;
 mod dropped;
+mod imported;
 mod limits;
 mod names;
 mod swapped;
@@ -17,6 +18,7 @@ use ifs_compiler::diagnostic::{Code, Diagnostic, Edit, Fix};
 use ifs_compiler::source::{Source, Span};
 
 pub(crate) use dropped::organized;
+pub(crate) use imported::{imported, missing};
 
 /// A change that can be offered.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,8 +81,11 @@ fn computed(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
 fn tidied(analysis: &Analysis, fix: &Fix) -> Option<Vec<Edit>> {
     let mut edits = Vec::new();
     for edit in &fix.edits {
-        let file = analysis.files.iter().find(|file| file.file == edit.span.file)?;
-        let source = analysis.sources.get(file.file)?;
+        let source = analysis.sources.get(edit.span.file)?;
+        let own = analysis.files.iter().any(|file| file.file == source.id);
+        if !own && source.path != "ifs.toml" {
+            return None;
+        }
         source.text.get(edit.span.range())?;
         let span = if edit.replacement.is_empty() { whole_line(source, edit.span) } else { edit.span };
         let replacement = match source.text.contains("\r\n") {

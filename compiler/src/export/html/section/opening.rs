@@ -20,7 +20,7 @@ pub(in crate::export::html) fn opening(page: &mut Markup, document: &Document<'_
     });
     // Several fabrications have a row each in the table of materials.
     if let [made] = &report.fabrications[..] {
-        facts(page, made);
+        facts(page, made, nested(report));
     }
     let mut scales: Vec<f64> = report.fabrications.iter().map(|made| made.scale.value).collect();
     if scales.is_empty() || !document.plain.is_empty() {
@@ -98,8 +98,16 @@ fn noun(made: &[Fabrication]) -> &'static str {
     }
 }
 
-/// The figures of the only fabrication in one row.
-fn facts(page: &mut Markup, made: &Fabrication) {
+/// How many raw boards or bars all parts lie on; none where they are not nested, or some do not fit.
+fn nested(report: &Report) -> Option<usize> {
+    let sheets = report.sheets.iter().map(|nest| (nest.sheets.len(), nest.unplaced.len()));
+    let bars = report.bars.iter().map(|nest| (nest.bars.len(), nest.unplaced.len()));
+    let sum = sheets.chain(bars).fold((0, 0), |sum, nest| (sum.0 + nest.0, sum.1 + nest.1));
+    (sum.0 > 0 && sum.1 == 0).then_some(sum.0)
+}
+
+/// The figures of the only fabrication in one row; `nested`: the raw boards or bars it takes, where they are known.
+fn facts(page: &mut Markup, made: &Fabrication, nested: Option<usize>) {
     let at = |field: &str| format!("/fabrications/0/{field}");
     let planks = made.kind == "planks";
     let material = &made.material;
@@ -122,7 +130,12 @@ fn facts(page: &mut Markup, made: &Fabrication) {
                 figure(page, Some(mass), decimals(mass, KILOGRAMS), &at("material/mass_kg"));
             });
         }
-        fact(page, if planks { "raw bars at least" } else { "raw boards at least" }, "", |page| {
+        let raw = if planks { "raw bars" } else { "raw boards" };
+        if let Some(count) = nested {
+            fact(page, raw, "", |page| page.text(&count.to_string()));
+            return;
+        }
+        fact(page, &format!("{raw} at least"), "", |page| {
             let count = usize::try_from(material.raw_at_least).unwrap_or(usize::MAX);
             count_figure(page, count, &at("material/raw_at_least"));
         });
