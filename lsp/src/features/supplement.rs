@@ -70,7 +70,7 @@ mod tests {
         let (mut parts, mut wholes) = (0, 0);
         for name in ["vault.ifs", "shell.ifs"] {
             let text = fs::read_to_string(folder.join(name)).unwrap();
-            let files = MemoryFiles::single("design.ifs", text);
+            let files = MemoryFiles::single("design.ifs", &text);
             let analysis = read_indexed(&files, "design.ifs", &Overrides::default());
             let tokens = analysis.files[0].parse.tokens.iter();
             let values = tokens.filter(|token| matches!(token.kind, TokenKind::Name | TokenKind::Number(_)));
