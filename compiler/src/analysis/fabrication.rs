@@ -229,14 +229,21 @@ impl Work<'_> {
             _ => Elements::Panels(self.panels(&limits)?),
         };
         let nest = self.nest(&elements)?;
-        let requirements = self.block.requirements.iter().zip(limits).map(|(requirement, limit)| {
-            let result = measures::measure(&elements, requirement.measure, &limit);
-            RequirementResult { measure: requirement.measure, span: requirement.span, limit, result }
-        });
-        let requirements = requirements.collect();
+        let mut requirements = Vec::new();
+        for (requirement, limit) in self.block.requirements.iter().zip(limits) {
+            self.goes_on()?;
+            let (measure, span) = (requirement.measure, requirement.span);
+            let result = measures::measure(&elements, measure, &limit);
+            requirements.push(RequirementResult { measure, span, limit, result });
+        }
         let figure = self.hir.item(self.block.figure).name.clone();
         let settings = std::mem::take(&mut self.settings);
         Some(Fabrication { figure, scale: self.scale, elements, settings, nest, requirements })
+    }
+
+    /// `None` where whoever watches says stop.
+    fn goes_on(&mut self) -> Option<()> {
+        self.watch.step().is_continue().then_some(())
     }
 
     /// Puts the machine that is named from outside in the place of the block's own, or gives it to one without.

@@ -11,10 +11,10 @@ pub use meshes::MeshFile;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::evaluate::MachineName;
 use crate::hir::{ImportedMesh, LIBRARY};
-use crate::source::{FileId, Files, ReadError, SourceMap, Span};
+use crate::source::{FileId, Files, ReadError, Source, SourceMap, Span};
 use crate::syntax::{Parse, ast, parse};
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// The most files a design may be made of.
 pub const MOST_FILES: usize = 1000;
@@ -26,6 +26,7 @@ pub const MOST_BYTES: usize = 32 << 20;
 #[derive(Debug, Default)]
 pub struct Library {
     modules: Vec<(&'static str, FileId, ast::File)>,
+    sources: Vec<Arc<Source>>,
 }
 
 impl Library {
@@ -96,8 +97,8 @@ pub(super) fn load(files: &dyn Files, root: &str, machine: Option<&MachineName>)
         }
     }
     let library = library();
-    for (name, text) in LIBRARY {
-        loader.sources.add(format!("std.{name}"), *text);
+    for source in &library.sources {
+        loader.sources.share(source);
     }
     let machine = machine.and_then(|machine| loader.machine(machine));
     let mut next = 0;
@@ -118,16 +119,16 @@ pub(super) fn load(files: &dyn Files, root: &str, machine: Option<&MachineName>)
 }
 
 /// The library, parsed once: its files stand behind the design's own in every analysis, so they go by the same identities.
-fn library() -> &'static Library {
+pub(super) fn library() -> &'static Library {
     static PARSED: OnceLock<Library> = OnceLock::new();
     PARSED.get_or_init(|| {
-        let mut sources = SourceMap::default();
-        sources.add("", "");
-        let modules = LIBRARY.iter().map(|(name, text)| {
-            let file = sources.add(format!("std.{name}"), *text);
-            (*name, file, parse_of(&sources, file).ast)
-        });
-        Library { modules: modules.collect() }
+        let mut library = Library::default();
+        for (place, (name, text)) in (1..).zip(LIBRARY) {
+            let source = Arc::new(Source::new(FileId(place), format!("std.{name}"), *text));
+            library.modules.push((*name, source.id, parse(&source).ast));
+            library.sources.push(source);
+        }
+        library
     })
 }
 

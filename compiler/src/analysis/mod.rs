@@ -12,6 +12,7 @@ mod placed;
 mod planarizing;
 pub mod project;
 mod requirements;
+mod reread;
 mod settings;
 mod single;
 mod testing;
@@ -24,6 +25,7 @@ pub(crate) use fabrication::{nested_panel, nested_plank};
 pub use load::{Library, MOST_BYTES, MOST_FILES, MeshFile, ProjectFile};
 pub use placed::{FigureGeometry, figure_geometry, piece_labels};
 pub use requirements::{LimitValue, RequirementResult, value_words};
+pub use reread::with_item_changed;
 pub(crate) use settings::{field, number, text};
 pub use single::{SingleText, single};
 pub use testing::{TestResult, Verdict, run_tests};
@@ -37,22 +39,23 @@ use crate::hir::{Checked, ModuleSource, check, check_indexed};
 use crate::plan::lower::{Lowered, lower};
 use crate::source::{FileId, Files, SourceMap, Span};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
-/// Everything that is known of a design.
-#[derive(Debug)]
+/// Everything that is known of a design. A copy shares what was read: texts, trees and index.
+#[derive(Clone, Debug)]
 pub struct Analysis {
     /// The texts: the design's own first, then the library's, then those of the files it uses.
-    pub sources: SourceMap,
+    pub sources: Arc<SourceMap>,
     /// The design's own file.
     pub root: FileId,
     /// The files of the project that the design is made of: its own first, then those it uses as they are met.
-    pub files: Vec<ProjectFile>,
+    pub files: Arc<Vec<ProjectFile>>,
     /// The meshes that they import, as they are met.
-    pub meshes: Vec<MeshFile>,
+    pub meshes: Arc<Vec<MeshFile>>,
     /// Its typed tree.
-    pub hir: Hir,
+    pub hir: Arc<Hir>,
     /// What every name stands for and every expression is; empty unless it was read for an editor.
-    pub index: Index,
+    pub index: Arc<Index>,
     /// Its parameters as they are used.
     pub parameters: Vec<ParameterValue>,
     /// The names of those that were set from outside.
@@ -108,21 +111,49 @@ pub fn work_out(analysis: Analysis, overrides: &Overrides) -> Analysis {
 }
 
 /// The same, telling how far it is where it takes long.
-pub fn work_out_watched(mut analysis: Analysis, overrides: &Overrides, watch: &mut dyn Watch) -> Analysis {
+pub fn work_out_watched(analysis: Analysis, overrides: &Overrides, watch: &mut dyn Watch) -> Analysis {
+    let mut analysis = measure_watched(analysis, overrides, watch);
+    analysis.diagnostics = mended(&analysis, overrides, watch);
+    analysis
+}
+
+/// What has been read, worked out to its boards and measured: of what fails it is not said what would mend it.
+pub fn measure_watched(mut analysis: Analysis, overrides: &Overrides, watch: &mut dyn Watch) -> Analysis {
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(std::mem::take(&mut analysis.diagnostics));
     // A design with errors is not worked out: what it means is not known. But each ifs stands for itself.
     if diagnostics.has_errors() {
         diagnostics.extend(check_weights(&analysis.hir, overrides));
     } else {
-        let evaluated = evaluate(&analysis.hir, overrides, true, watch);
+        let evaluated = evaluate(&analysis.hir, overrides, watch);
         diagnostics.extend(evaluated.diagnostics);
+        let failed = evaluated.fabrications.iter().flat_map(|made| requirements::diagnostics(made, None));
+        diagnostics.extend(failed);
         analysis.parameters = evaluated.parameters;
         analysis.plan = evaluated.plan;
         analysis.fabrications = evaluated.fabrications;
     }
     analysis.diagnostics = diagnostics.finish();
     analysis
+}
+
+/// The diagnostics of a design that was measured, with what would mend what fails: the design is worked out again and again
+/// with something changed, which may take longer than measuring it did.
+pub fn mended(analysis: &Analysis, overrides: &Overrides, watch: &mut dyn Watch) -> Vec<Diagnostic> {
+    let made = (analysis.plan.as_ref(), analysis.fabrications.as_slice());
+    let mut remedies = mend::Remedies::new(&analysis.hir, overrides, made, watch);
+    let mut diagnostics = analysis.diagnostics.clone();
+    for fabrication in &analysis.fabrications {
+        let failed = requirements::diagnostics(fabrication, None);
+        let with_remedies = requirements::diagnostics(fabrication, Some(&mut remedies));
+        for (failed, mended) in failed.into_iter().zip(with_remedies) {
+            diagnostics
+                .iter_mut()
+                .filter(|found| **found == failed)
+                .for_each(|found| *found = mended.clone());
+        }
+    }
+    diagnostics
 }
 
 /// A design as far as its typed tree: nothing is worked out.
@@ -162,12 +193,12 @@ fn read_by(
         diagnostics.extend(machine::name_faults(&hir, overrides));
     }
     Analysis {
-        sources: loaded.sources,
+        sources: Arc::new(loaded.sources),
         root,
-        files: loaded.files,
-        meshes: loaded.meshes,
-        hir,
-        index,
+        files: Arc::new(loaded.files),
+        meshes: Arc::new(loaded.meshes),
+        hir: Arc::new(hir),
+        index: Arc::new(index),
         parameters: Vec::new(),
         machine,
         set_parameters: overrides.parameters.keys().chain(overrides.defaults.keys()).cloned().collect(),
@@ -208,8 +239,8 @@ struct Evaluated {
     diagnostics: Vec<Diagnostic>,
 }
 
-/// Works a typed design out; `mend` says whether remedies are looked for where requirements fail.
-fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch) -> Evaluated {
+/// Works a typed design out.
+fn evaluate(hir: &Hir, overrides: &Overrides, watch: &mut dyn Watch) -> Evaluated {
     let mut evaluator = Evaluator::new(hir, overrides);
     evaluator.report_untyped();
     let mut diagnostics = Diagnostics::default();
@@ -236,15 +267,6 @@ fn evaluate(hir: &Hir, overrides: &Overrides, mend: bool, watch: &mut dyn Watch)
         }
     }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
-    if mend {
-        let mut remedies = mend::Remedies::new(hir, overrides, &evaluated, watch);
-        let failed: Vec<Diagnostic> = evaluated
-            .fabrications
-            .iter()
-            .flat_map(|fabrication| requirements::diagnostics(fabrication, &mut remedies))
-            .collect();
-        diagnostics.extend(failed);
-    }
     evaluated.diagnostics.extend(diagnostics.finish());
     evaluated
 }

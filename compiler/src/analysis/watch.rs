@@ -12,8 +12,8 @@ pub trait Watch {
     /// Said when the named figure is done.
     fn planarized(&mut self, figure: &str);
 
-    /// Said before each block, and before each variant of the design in which remedies are looked for. After a `Break`
-    /// the rest is left out of the analysis without a diagnostic, as above.
+    /// Said before each block and between its stages, and before each variant of the design in which remedies are looked
+    /// for. After a `Break` the rest is left out of the analysis without a diagnostic, as above.
     fn step(&mut self) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

@@ -136,7 +136,9 @@ impl Index {
 
     /// What is declared by the name at `span`.
     pub fn declaration(&self, span: Span) -> Option<&Declaration> {
-        self.declarations.iter().find(|declaration| declaration.span == span)
+        // They are in the order of files and places.
+        let found = self.declarations.binary_search_by_key(&span, |declaration| declaration.span).ok()?;
+        self.declarations.get(found)
     }
 
     /// Every use of a target, in the order of the files; a declaration is no use.

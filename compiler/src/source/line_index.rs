@@ -20,14 +20,18 @@ pub struct LineIndex {
 impl LineIndex {
     /// The index of `text`.
     pub fn new(text: &str) -> Self {
-        let mut starts = vec![0];
         let bytes = text.as_bytes();
-        let ends = bytes.iter().enumerate().filter(|(at, byte)| match byte {
-            b'\n' => true,
-            b'\r' => bytes.get(at + 1) != Some(&b'\n'),
-            _ => false,
-        });
-        starts.extend(ends.map(|(at, _)| at as u32 + 1));
+        let ends = || {
+            bytes.iter().enumerate().filter(|(at, byte)| match byte {
+                b'\n' => true,
+                b'\r' => bytes.get(at + 1) != Some(&b'\n'),
+                _ => false,
+            })
+        };
+        // Counted first: a list that grows is moved again and again, and this one is made at every keystroke.
+        let mut starts = Vec::with_capacity(ends().count() + 1);
+        starts.push(0);
+        starts.extend(ends().map(|(at, _)| at as u32 + 1));
         LineIndex { starts, length: text.len() as u32 }
     }
 

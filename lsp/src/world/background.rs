@@ -11,30 +11,32 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use ifs_compiler::analysis::{Analysis, Watch, analyse_watched};
+use ifs_compiler::analysis::{Analysis, Watch, measure_watched, mended};
+use ifs_compiler::diagnostic::Diagnostic;
+use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::planarize::Progress;
 
-use super::overlay::Overlay;
 use super::owner::Message;
 
-/// How long the text must rest before it is worked out, and how much longer for each KiB of it: a long one takes its time
-/// to be read again, which should not be between two keystrokes.
+/// How long the text must rest before it is worked out, and how much longer for each KiB of it: a long one takes its time,
+/// which should not be between two keystrokes.
 const REST: Duration = Duration::from_millis(80);
 const REST_PER_KIB: Duration = Duration::from_millis(1);
 
-/// A design to be worked out.
+/// A design to be worked out, as it was read.
 #[derive(Debug)]
 pub(crate) struct Job {
-    pub(crate) overlay: Overlay,
+    pub(crate) read: Arc<Analysis>,
+    pub(crate) overrides: Overrides,
     /// The revision of the world it was taken from.
     pub(crate) revision: u64,
-    /// Bytes of its text.
-    pub(crate) bytes: usize,
 }
 
 impl Job {
     fn rest(&self) -> Duration {
-        REST + REST_PER_KIB * u32::try_from(self.bytes / 1024).unwrap_or(u32::MAX).min(1000)
+        let texts = self.read.files.iter().filter_map(|file| self.read.sources.get(file.file));
+        let bytes: usize = texts.map(|source| source.text.len()).sum();
+        REST + REST_PER_KIB * u32::try_from(bytes / 1024).unwrap_or(u32::MAX).min(1000)
     }
 }
 
@@ -42,7 +44,10 @@ impl Job {
 #[derive(Debug)]
 pub(crate) struct Worked {
     pub(crate) revision: u64,
+    /// Measured.
     pub(crate) analysis: Arc<Analysis>,
+    /// What is wrong with it, with what would mend it; `None` while that is still looked for.
+    pub(crate) mended: Option<Vec<Diagnostic>>,
 }
 
 #[derive(Default)]
@@ -131,19 +136,29 @@ impl Background {
 
     fn run(&self, owner: &Sender<Message>) {
         while let Some((path, job, unwanted)) = self.next() {
-            let Job { overlay, revision, .. } = job;
+            let Job { read, overrides, revision } = job;
             let mut watch = Unwanted(Arc::clone(&unwanted));
-            let work = || {
-                let project = &overlay.project;
-                analyse_watched(&overlay, &project.design, &project.overrides, &mut watch)
+            let measure = || Arc::new(measure_watched((*read).clone(), &overrides, &mut watch));
+            let measured = catch_unwind(AssertUnwindSafe(measure)).ok();
+            let is_wanted = || !unwanted.load(Ordering::Relaxed);
+            let worked = |analysis: &Arc<Analysis>, mended| Worked {
+                revision,
+                analysis: Arc::clone(analysis),
+                mended,
             };
-            let analysis = catch_unwind(AssertUnwindSafe(work)).ok().map(Arc::new);
-            self.lock().running = None;
-            if unwanted.load(Ordering::Relaxed) {
-                continue;
+            // What was measured is told before it is looked for what would mend it.
+            if let Some(measured) = measured.as_ref().filter(|_| is_wanted())
+                && owner.send(Message::Worked(path.clone(), Some(worked(measured, None)))).is_err()
+            {
+                return;
             }
-            let worked = analysis.map(|analysis| Worked { revision, analysis });
-            if owner.send(Message::Worked(path, worked)).is_err() {
+            let mend = |measured: &Arc<Analysis>| {
+                let mended = || mended(measured, &overrides, &mut watch);
+                catch_unwind(AssertUnwindSafe(mended)).ok().map(|mended| worked(measured, Some(mended)))
+            };
+            let worked = measured.as_ref().filter(|_| is_wanted()).and_then(mend);
+            self.lock().running = None;
+            if is_wanted() && owner.send(Message::Worked(path, worked)).is_err() {
                 return;
             }
         }

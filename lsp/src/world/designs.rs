@@ -11,6 +11,7 @@ use ifs_compiler::diagnostic::Diagnostic;
 use ifs_compiler::source::FileId;
 
 use super::background::{Background, Job, Worked};
+use super::discard::Discard;
 use super::documents::Edit;
 use super::edits::moved_diagnostic;
 use super::names::Names;
@@ -54,17 +55,29 @@ impl Design {
     }
 }
 
+/// Whether two diagnostics say the same but for what would mend it.
+fn is_same_failure(one: &Diagnostic, other: &Diagnostic) -> bool {
+    let said = |of: &Diagnostic| (of.code, of.span, of.message.clone(), of.label.clone(), of.notes.clone());
+    said(one) == said(other) && one.labels == other.labels
+}
+
 /// The open documents that have been read.
 pub(super) struct Designs {
     projects: Arc<dyn Projects>,
     names: Names,
     background: Background,
+    discard: Discard,
     read: BTreeMap<PathBuf, Design>,
 }
 
 impl Designs {
-    pub(super) fn new(projects: Arc<dyn Projects>, names: Names, background: Background) -> Designs {
-        Designs { projects, names, background, read: BTreeMap::new() }
+    pub(super) fn new(
+        projects: Arc<dyn Projects>,
+        names: Names,
+        background: Background,
+        discard: Discard,
+    ) -> Designs {
+        Designs { projects, names, background, discard, read: BTreeMap::new() }
     }
 
     /// Forgets a design.
@@ -129,11 +142,10 @@ impl Designs {
     }
 
     fn put(&mut self, path: &Path, overlay: Overlay, analysis: Analysis, revision: u64) {
-        let root = overlay.project.root.clone();
+        let analysis = Arc::new(analysis);
+        let Project { root, overrides, .. } = overlay.project;
         if !analysis.has_errors() && !is_project_file(path) {
-            let texts = analysis.files.iter().filter_map(|file| analysis.sources.get(file.file));
-            let bytes = texts.map(|source| source.text.len()).sum();
-            self.background.ask(path.to_owned(), Job { overlay, revision, bytes });
+            self.background.ask(path.to_owned(), Job { read: Arc::clone(&analysis), overrides, revision });
         }
         let old = self.read.remove(path);
         let same_files = |old: &Design| {
@@ -143,10 +155,16 @@ impl Designs {
             paths(&old.analysis) == paths(&analysis)
         };
         let kept = old.as_ref().is_some_and(same_files);
-        let (made, worked) = old.map_or((None, Vec::new()), |old| (old.made, old.worked));
+        let (made, worked) = match old {
+            Some(old) => {
+                self.discard.put(old.analysis);
+                (old.made, old.worked)
+            }
+            None => (None, Vec::new()),
+        };
         let design = Design {
             places: Places { root, projects: Arc::clone(&self.projects), names: self.names.clone() },
-            analysis: Arc::new(analysis),
+            analysis,
             read_at: Some(revision),
             fresh: Arc::new(AtomicBool::new(true)),
             made,
@@ -161,12 +179,26 @@ impl Designs {
         if design.read_at != Some(worked.revision) {
             return false;
         }
-        let Worked { analysis, .. } = worked;
+        let Worked { analysis, mended, .. } = worked;
         let read = &design.analysis.diagnostics;
-        let found = analysis.diagnostics.iter().filter(|found| !read.contains(found));
-        design.worked = found.map(|found| with_worst_boards(found.clone(), &analysis)).collect();
+        let found = mended.as_ref().unwrap_or(&analysis.diagnostics).iter();
+        let found = found.filter(|found| !read.contains(found));
+        let found = found.map(|found| with_worst_boards(found.clone(), &analysis));
+        // What was known of remedies stays until it is known anew: nothing comes and goes while one types.
+        let known = std::mem::take(&mut design.worked);
+        let kept = |found: Diagnostic| match known.iter().find(|known| is_same_failure(known, &found)) {
+            Some(known) if mended.is_none() => known.clone(),
+            _ => found,
+        };
+        let worked: Vec<Diagnostic> = found.map(kept).collect();
+        let same = worked == known;
+        design.worked = worked;
+        if same && mended.is_some() {
+            return false;
+        }
         if analysis.plan.is_some() {
-            design.made = Some(Made { analysis, current: true });
+            let old = design.made.replace(Made { analysis, current: true });
+            old.into_iter().for_each(|old| self.discard.put(old.analysis));
         }
         true
     }

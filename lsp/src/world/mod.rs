@@ -3,6 +3,7 @@
 
 pub(crate) mod background;
 mod designs;
+mod discard;
 pub(crate) mod documents;
 pub(crate) mod edits;
 pub(crate) mod names;

@@ -11,6 +11,7 @@ use tokio::sync::oneshot;
 
 use super::background::{Background, Worked};
 use super::designs::Designs;
+use super::discard::Discard;
 use super::documents::{Change, Document, Encoding};
 use super::names::Names;
 use super::outbox::Outbox;
@@ -93,7 +94,7 @@ pub(crate) fn start(
     let (sender, receiver) = channel();
     let background = Background::start(sender.clone(), stack)?;
     let owner = Owner {
-        designs: Designs::new(projects, names, background.clone()),
+        designs: Designs::new(projects, names, background.clone(), Discard::start(stack)?),
         outbox,
         background,
         encoding: Encoding::default(),

@@ -31,7 +31,7 @@ pub(crate) fn project_file(analysis: &Analysis) -> Option<FileId> {
 pub(super) fn read_alone(overlay: &Overlay, projects: &dyn Projects) -> Analysis {
     let mut analysis = read_indexed(&MemoryFiles::single("", ""), "", &Overrides::default());
     let text = text(overlay).unwrap_or_default();
-    let root = analysis.sources.add(PROJECT_FILE, text.as_str());
+    let root = Arc::make_mut(&mut analysis.sources).add(PROJECT_FILE, text.as_str());
     analysis.root = root;
     analysis.diagnostics = read_project(root, &text).1;
     let below = overlay.open.keys().filter(|path| path.starts_with(&overlay.project.root));
@@ -67,7 +67,7 @@ fn moved(mut found: Diagnostic, file: FileId) -> Diagnostic {
 /// Adds what is wrong in the `ifs.toml` of a design's project to what is wrong with the design.
 pub(crate) fn with_project_file(analysis: &mut Analysis, overlay: &Overlay) {
     let Some(text) = text(overlay) else { return };
-    let file = analysis.sources.add(PROJECT_FILE, text.as_str());
+    let file = Arc::make_mut(&mut analysis.sources).add(PROJECT_FILE, text.as_str());
     let (settings, found) = read_project(file, &text);
     analysis.diagnostics.extend(found);
     analysis.diagnostics.extend(misspelt_parameters(&settings, &analysis.hir));

@@ -26,6 +26,7 @@ mod lsp_edits;
 mod lsp_project_file;
 mod lsp_projects;
 mod lsp_protocol;
+mod lsp_remedies;
 mod lsp_shown;
 mod maps;
 mod messages;

@@ -100,6 +100,7 @@ impl Work<'_> {
         };
         let built = outcome.as_ref().map_or_else(|| designed.clone(), |outcome| outcome.mesh.clone());
         let (designed, built) = (self.scaled_mesh(designed), self.scaled_mesh(built));
+        self.goes_on()?;
         match panels(&designed, &built, &labels, &made.settings) {
             Ok(mut done) => {
                 // Surfaces are put up one after the other.

@@ -12,7 +12,6 @@ mod stock;
 mod text;
 mod variants;
 
-use super::Evaluated;
 use super::fabrication::Fabrication;
 use super::requirements::RequirementResult;
 use super::watch::Watch;
@@ -20,6 +19,7 @@ use crate::diagnostic::{Fix, Hint};
 use crate::hir::evaluate::Overrides;
 use crate::hir::schema::Measure;
 use crate::hir::tree::Hir;
+use crate::plan::lower::Lowered;
 use variants::{Block, Variants};
 
 /// What fails of a block.
@@ -77,11 +77,12 @@ impl<'a> Remedies<'a> {
     pub(super) fn new(
         hir: &'a Hir,
         overrides: &'a Overrides,
-        evaluated: &Evaluated,
+        (plan, fabrications): (Option<&Lowered>, &[Fabrication]),
         watch: &'a mut dyn Watch,
     ) -> Self {
-        let now = variants::blocks(evaluated);
-        Remedies { hir, overrides, variants: Variants::new(hir, overrides, evaluated, watch), now }
+        let now = variants::blocks(plan, fabrications);
+        let variants = Variants::new(hir, overrides, (plan, fabrications), watch);
+        Remedies { hir, overrides, variants, now }
     }
 
     /// What would make hold what fails of a block, in sentences with the changes of the text that do it: what does, else

@@ -2,14 +2,15 @@
 //! a budget for the whole design.
 
 use super::Asked;
+use crate::analysis::evaluate;
 use crate::analysis::fabrication::{Elements, Fabrication};
 use crate::analysis::requirements::RequirementResult;
 use crate::analysis::watch::{Quietly, Watch};
-use crate::analysis::{Evaluated, evaluate};
 use crate::diagnostic::Severity;
 use crate::hir::evaluate::{Limits, Overrides};
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::Hir;
+use crate::plan::lower::Lowered;
 use std::collections::BTreeMap;
 
 /// How many elements may be worked out in all while levels are tried, and again as many while parameters are: both
@@ -96,11 +97,11 @@ impl<'a> Variants<'a> {
     pub(super) fn new(
         hir: &'a Hir,
         overrides: &'a Overrides,
-        evaluated: &Evaluated,
+        (plan, fabrications): (Option<&Lowered>, &[Fabrication]),
         watch: &'a mut dyn Watch,
     ) -> Self {
-        let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
-        let planarizes = evaluated.fabrications.iter().any(|made| match &made.elements {
+        let counts = plan.iter().flat_map(|plan| &plan.counts);
+        let planarizes = fabrications.iter().any(|made| match &made.elements {
             Elements::Panels(panels) => panels.planarizing.is_some(),
             Elements::Planks(_) => false,
         });
@@ -161,23 +162,24 @@ impl<'a> Variants<'a> {
         let most = (left / each).min(overrides.limits.elements);
         overrides.limits =
             Limits { elements: most, boards: overrides.limits.boards.min(most), ..overrides.limits };
-        let evaluated = evaluate(self.hir, &overrides, false, &mut Quietly(self.watch));
+        let evaluated = evaluate(self.hir, &overrides, &mut Quietly(self.watch));
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let elements = counts.map(|count| count.elements).sum();
         self.left[purse as usize] = left.saturating_sub(self.cost(elements, planarized));
         let complete = evaluated.fabrications.len() == self.hir.fabricates.len();
         let sound = evaluated.diagnostics.iter().all(|found| found.severity() != Severity::Error);
-        (complete && sound).then(|| Variant { blocks: blocks(&evaluated), planarized })
+        (complete && sound)
+            .then(|| Variant { blocks: blocks(evaluated.plan.as_ref(), &evaluated.fabrications), planarized })
     }
 }
 
 /// What the blocks of a design give.
-pub(super) fn blocks(evaluated: &Evaluated) -> Vec<Block> {
-    evaluated.fabrications.iter().map(|made| block(evaluated, made)).collect()
+pub(super) fn blocks(plan: Option<&Lowered>, fabrications: &[Fabrication]) -> Vec<Block> {
+    fabrications.iter().map(|made| block(plan, made)).collect()
 }
 
-fn block(evaluated: &Evaluated, made: &Fabrication) -> Block {
-    let figures = evaluated.plan.iter().flat_map(|lowered| lowered.plan.figures());
+fn block(plan: Option<&Lowered>, made: &Fabrication) -> Block {
+    let figures = plan.iter().flat_map(|lowered| lowered.plan.figures());
     let mut levels: Vec<String> = figures
         .filter(|figure| figure.name == made.figure)
         .map(|figure| figure.shape.level_words())

@@ -14,15 +14,15 @@ use crate::hir::schema::Measure;
 const SHOWN: usize = 4;
 
 /// A diagnostic for elements of a block that are too large, and one for each requirement of it that fails or measures
-/// nothing.
+/// nothing; with what would mend them where remedies are looked for.
 pub(in crate::analysis) fn diagnostics(
     fabrication: &Fabrication,
-    remedies: &mut Remedies<'_>,
+    mut remedies: Option<&mut Remedies<'_>>,
 ) -> Vec<Diagnostic> {
-    let mut found: Vec<Diagnostic> = too_large(fabrication, remedies).into_iter().collect();
+    let mut found: Vec<Diagnostic> = too_large(fabrication, remedies.as_deref_mut()).into_iter().collect();
     let requirements = fabrication.requirements.iter().enumerate();
     found.extend(requirements.filter_map(|(place, requirement)| match requirement.result.holds() {
-        false => Some(failure(fabrication, place, requirement, remedies)),
+        false => Some(failure(fabrication, place, requirement, remedies.as_deref_mut())),
         true => unmeasured(fabrication, requirement),
     }));
     found
@@ -32,7 +32,7 @@ fn failure(
     fabrication: &Fabrication,
     place: usize,
     requirement: &RequirementResult,
-    remedies: &mut Remedies<'_>,
+    remedies: Option<&mut Remedies<'_>>,
 ) -> Diagnostic {
     let measure = requirement.measure;
     let result = &requirement.result;
@@ -57,14 +57,16 @@ fn failure(
     if let Some(note) = spread(requirement) {
         diagnostic = diagnostic.note(note);
     }
-    for remedy in remedies.of(fabrication, Asked::Requirement(place)) {
+    for remedy in
+        remedies.into_iter().flat_map(|remedies| remedies.of(fabrication, Asked::Requirement(place)))
+    {
         diagnostic = diagnostic.ways(remedy.text, remedy.fixes);
     }
     diagnostic
 }
 
 /// Elements that are larger than the raw board, or longer than the bar, said at that setting.
-fn too_large(fabrication: &Fabrication, remedies: &mut Remedies<'_>) -> Option<Diagnostic> {
+fn too_large(fabrication: &Fabrication, remedies: Option<&mut Remedies<'_>>) -> Option<Diagnostic> {
     let refused = fabrication.elements.too_large();
     let (label, reason) = refused.first()?;
     let (setting, made) = match &fabrication.elements {
@@ -83,7 +85,7 @@ fn too_large(fabrication: &Fabrication, remedies: &mut Remedies<'_>) -> Option<D
         let others = others.join(", ");
         diagnostic = diagnostic.note(format!("and {} more: {others}{more}", refused.len() - 1));
     }
-    for remedy in remedies.of(fabrication, Asked::Stock) {
+    for remedy in remedies.into_iter().flat_map(|remedies| remedies.of(fabrication, Asked::Stock)) {
         diagnostic = diagnostic.ways(remedy.text, remedy.fixes);
     }
     Some(diagnostic)

@@ -86,6 +86,31 @@ pub fn check_indexed(modules: &[ModuleSource<'_>]) -> Checked {
     checker.finish()
 }
 
+/// The index of one item of a file, checked in place of the one that begins where it does and declares the same name, with
+/// whatever it needs of the others; where it is a block or a test, those of the design. `None` where there is no such item.
+pub fn check_in_place(modules: &[ModuleSource<'_>], file: FileId, item: &ast::Item) -> Option<Index> {
+    let mut checker = Checker::new(modules, Some(Index::default()));
+    let module = checker.modules.iter().position(|module| module.file == file)?;
+    match (&item.kind, scope::item_name(item)) {
+        (_, Some(name)) => {
+            let id = *checker.modules[module].own.get(name.text.as_str())?;
+            let declared = &mut checker.declared[id.0 as usize];
+            let same = scope::item_name(declared.item).is_some_and(|before| before.span == name.span);
+            if !same || declared.item.span.start != item.span.start {
+                return None;
+            }
+            declared.item = item;
+            checker.ensure_checked(id, name.span);
+        }
+        (ast::ItemKind::Fabricate(block), None) if module == 0 => checker.fabricate(block),
+        (ast::ItemKind::Test(test), None) if module == 0 => checker.test(test),
+        _ => return None,
+    }
+    let mut index = checker.index?;
+    index.sort();
+    Some(index)
+}
+
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum State {
     Unchecked,

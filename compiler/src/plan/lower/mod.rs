@@ -38,7 +38,7 @@ pub struct FigureSource {
 }
 
 /// A plan with the places its figures come from.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Lowered {
     /// The plan.
     pub plan: Plan,

@@ -129,11 +129,15 @@ fn of_parameters(name: &str, kind: Kind, parameters: &[Parameter]) -> String {
 /// The name itself with its docs and its import.
 fn named(known: &Known<'_>, visible: &Visible<'_>, kind: Kind) -> Offer {
     let mut offer = Offer::new(visible.name, kind);
-    let module =
-        known.index().modules.iter().find(|module| {
-            module.library && module.public.iter().any(|public| public.target == visible.target)
-        });
-    offer.module = module.map(|module| module.title.clone());
+    offer.module = match visible.origin {
+        Origin::Local | Origin::Own if !known.hir().is_library(known.name.file) => None,
+        _ => {
+            let mut library = known.index().modules.iter().filter(|module| module.library);
+            let offers =
+                library.find(|module| module.public.iter().any(|public| public.target == visible.target));
+            offers.map(|module| module.title.clone())
+        }
+    };
     offer.detail = match (visible.target, visible.ty) {
         (Target::Native(native), _) => native_item_docs(native.declaration()).signature,
         (_, Type::Error) => String::new(),
@@ -142,8 +146,10 @@ fn named(known: &Known<'_>, visible: &Visible<'_>, kind: Kind) -> Offer {
     if offer.module.is_none()
         && let Target::Declared(span) = visible.target
     {
-        let item = known.hir().items.iter().find(|item| item.name_span == span);
-        offer.docs = item.map_or_else(String::new, |item| unindented(&item.docs));
+        offer.docs = match known.index().declaration(span).map(|declared| declared.kind) {
+            Some(DeclarationKind::Item(id)) => unindented(&known.hir().item(id).docs),
+            _ => String::new(),
+        };
     }
     if let Origin::Library(module) = visible.origin {
         offer.elsewhere = to_import(known.analysis, known.before.word.file, module, visible.name);
