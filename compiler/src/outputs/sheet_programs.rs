@@ -30,9 +30,10 @@ pub(super) fn programs(
     let (mut outputs, mut diagnostics) = (Vec::new(), Vec::new());
     for nest in nests.sheets.iter().filter(|nest| nest.programs != Programs::Boards) {
         let mut failures = Vec::new();
-        let wanted = nest.names.iter().enumerate().filter(|(place, _)| is_wanted(blocks, nest, *place));
-        for (place, name) in wanted {
-            watch(Making::Sheets { done: place, of: nest.names.len() });
+        let wanted: Vec<(usize, &String)> =
+            nest.names.iter().enumerate().filter(|(place, _)| is_wanted(blocks, nest, *place)).collect();
+        for (done, &(place, name)) in wanted.iter().enumerate() {
+            watch(Making::Sheets { done, of: wanted.len() });
             let number =
                 u32::try_from(before + outputs.len()).map_or(u32::MAX, |last| last.saturating_add(1));
             match one(blocks, nest, place, number) {

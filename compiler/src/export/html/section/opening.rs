@@ -3,7 +3,7 @@
 use super::scene::Scene;
 use crate::export::html::document::Document;
 use crate::export::html::markup::Markup;
-use crate::export::html::number::{count_figure, counted, figure, shown};
+use crate::export::html::number::{count, count_figure, counted, figure, shown};
 use crate::export::number::{Fixed, KILOGRAMS, SQUARE_METRES};
 use crate::export::report::{Fabrication, Report};
 
@@ -131,13 +131,13 @@ fn facts(page: &mut Markup, made: &Fabrication, nested: Option<usize>) {
             });
         }
         let raw = if planks { "raw bars" } else { "raw boards" };
-        if let Some(count) = nested {
-            fact(page, raw, "", |page| page.text(&count.to_string()));
+        if let Some(sheets) = nested {
+            fact(page, raw, "", |page| page.text(&count(sheets)));
             return;
         }
         fact(page, &format!("{raw} at least"), "", |page| {
-            let count = usize::try_from(material.raw_at_least).unwrap_or(usize::MAX);
-            count_figure(page, count, &at("material/raw_at_least"));
+            let least = usize::try_from(material.raw_at_least).unwrap_or(usize::MAX);
+            count_figure(page, least, &at("material/raw_at_least"));
         });
     });
 }
