@@ -27,6 +27,9 @@ async def client(lsp_client: LanguageClient):
     def register(params: types.RegistrationParams):
         watched.extend(registration.method for registration in params.registrations)
 
+    for refresh in (types.WORKSPACE_CODE_LENS_REFRESH, types.WORKSPACE_INLAY_HINT_REFRESH):
+        lsp_client.feature(refresh)(lambda *_: None)
+
     await lsp_client.initialize_session(params)
     yield lsp_client
     await lsp_client.shutdown_session()
