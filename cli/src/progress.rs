@@ -148,7 +148,7 @@ pub fn making(making: Making) {
             say(|| "programs made and read back".to_owned(), Some((done, of)));
         }
         Making::Sheets { done, of } => {
-            say(|| "programs of sheets made and read back".to_owned(), Some((done, of)));
+            say(|| "sheets made and read back".to_owned(), Some((done, of)));
         }
         Making::Nests => say(|| "nesting".to_owned(), None),
         Making::Lists => say(|| "making lists and drawings".to_owned(), None),

@@ -189,7 +189,7 @@ fn a_line_of_progress_on_a_terminal_and_nowhere_else() {
         "planarizing shell, step ",
         "making boards of shell, ",
         "programs made and read back, ",
-        "programs of sheets made and read back, ",
+        "sheets made and read back, ",
         "nesting, ",
         "making lists and drawings, ",
         "making the report, ",
@@ -199,7 +199,7 @@ fn a_line_of_progress_on_a_terminal_and_nowhere_else() {
     let known = |line: &String| line.is_empty() || stages.iter().any(|stage| line.contains(stage));
     assert!(states.iter().all(known), "{states:?}");
     let longest = states.iter().map(|line| line.chars().count()).max();
-    assert!(longest <= Some(69), "{states:?}");
+    assert!(longest <= Some(59), "{states:?}");
     assert!(data.contains("1024 boards"), "{data}");
     assert_eq!(on_a_terminal(&["--quiet", "--emit", "csv"]), (Vec::new(), String::new()));
     let piped = run(program().arg("build").arg(&design).args(["--emit", "csv", "-o"]).arg(&out)).good();

@@ -280,12 +280,13 @@ fn built(name: &str, machine: &str, line: &str) -> (Vec<String>, String) {
     fs::write(folder.join("roof.ifs"), design).unwrap();
     let run = ifs_tests::program()
         .current_dir(&folder)
-        .args(["build", "roof.ifs", "-o", "out", "--emit", "nc,csv"])
+        .args(["build", "roof.ifs", "-o", "out", "--emit", "nc,csv,dxf"])
         .output()
         .unwrap();
     let mut files: Vec<String> = fs::read_dir(folder.join("out/boards"))
         .map(|entries| entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect())
         .unwrap_or_default();
+    files.retain(|file| file.ends_with(".nc"));
     files.sort();
     (files, String::from_utf8(run.stderr).unwrap())
 }
@@ -322,12 +323,18 @@ fn a_spare_cutter_takes_the_place_of_one_that_does_not_reach() {
         )
     };
     let machine = format!(
-        "Machine(name: \"own\", length: 2m, width: 1m, height: 100mm, cutter: {}, spare_cutters: [{}, {}], engraver: {})",
+        "Machine(name: \"own\", length: 3m, width: 2m, height: 100mm, cutter: {}, spare_cutters: [{}, {}], engraver: {})",
         tool(1, "9mm"),
         tool(3, "11mm"),
         tool(4, "30mm"),
         tool(2, "5mm").replace("diameter: 6mm", "diameter: 1mm"),
     );
-    let (files, said) = built("nc-spare", &machine, "");
+    let (files, said) = built("nc-spare", &machine, "nest: { programs: both }");
     assert_eq!(files.len(), 16, "{said}");
+    // The drawings name the one that cuts.
+    let out = ifs_tests::root().join("target/tmp/ifs-tests/nc-spare/out");
+    for drawing in [out.join("boards").join(files[0].replace(".nc", ".dxf")), out.join("sheets/1.dxf")] {
+        let text = fs::read_to_string(drawing).unwrap();
+        assert!(text.contains("CUT T4 cutter 4 12.5mm") && !text.contains("CUT T1"), "{text}");
+    }
 }
