@@ -126,7 +126,7 @@ impl<'a> Solver<'a> {
             };
             match self.attempt(&fairness, REACH, progress) {
                 Attempt::Reached(reason) => {
-                    self.come_closer(closeness, progress);
+                    self.come_closer(closeness, reason, progress);
                     return reason;
                 }
                 Attempt::Interrupted(reason) => return reason,
@@ -136,18 +136,26 @@ impl<'a> Solver<'a> {
         StopReason::Stalled
     }
 
-    /// Looks for vertices nearer to the design that reach the goal as well, with greater and greater closeness.
-    fn come_closer(&mut self, closeness: f64, progress: &mut dyn FnMut(Progress) -> ControlFlow<()>) {
+    /// Looks for vertices nearer to the design that reach the goal as well, and as far, with greater and greater
+    /// closeness.
+    fn come_closer(
+        &mut self,
+        closeness: f64,
+        reason: StopReason,
+        progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) {
         let (factor, times) = CLOSER;
         let mut closeness = closeness;
         for _ in 0..times {
             closeness *= factor;
             let Some(fairness) = Displacement::new(self.start, &self.held, closeness) else { return };
-            let (best, at, made) = (self.best.clone(), self.best_iteration, self.history.len());
+            let (best, merit) = (self.best.clone(), self.best_merit);
+            let (at, made) = (self.best_iteration, self.history.len());
             let ended = self.attempt(&fairness, APPROACH, progress);
             let saved = 1.0 - self.displacement(&self.best) / self.displacement(&best);
-            if !matches!(ended, Attempt::Reached(_)) || saved < SAVING {
-                (self.best, self.best_iteration) = (best, at);
+            let reached = matches!(ended, Attempt::Reached(again) if again == reason);
+            if !reached || saved < SAVING {
+                (self.best, self.best_merit, self.best_iteration) = (best, merit, at);
                 self.history.truncate(made);
             }
         }
@@ -189,8 +197,8 @@ impl<'a> Solver<'a> {
             let found = measures(self.start, &present);
             self.history.push(record(&found));
             let reached = self.reached(&found);
-            self.keep_if_better(&present, excess, &found, reached.is_some());
-            if let Some(reason) = reached {
+            let kept = self.keep_if_better(&present, excess, &found, reached.is_some());
+            if let Some(reason) = reached.filter(|_| kept) {
                 return Attempt::Reached(reason);
             }
         }
@@ -234,7 +242,14 @@ impl<'a> Solver<'a> {
         })
     }
 
-    fn keep_if_better(&mut self, present: &[DVec3], excess: f64, measures: &[QuadMeasure], reached: bool) {
+    /// Whether these vertices are the best from now on.
+    fn keep_if_better(
+        &mut self,
+        present: &[DVec3],
+        excess: f64,
+        measures: &[QuadMeasure],
+        reached: bool,
+    ) -> bool {
         let worst = |measures: &[QuadMeasure]| {
             let of = |quad: &usize| measures[*quad].planarity.unwrap_or(-1.0);
             self.counted.iter().map(of).fold(1.0, f64::min)
@@ -246,11 +261,13 @@ impl<'a> Solver<'a> {
         let no_worse = worst(measures) >= worst(&self.first)
             && (self.options.diagonal_ratio.is_none() || ratio(measures) <= ratio(&self.first))
             && record(measures).worst >= self.history[0].worst;
-        if no_worse && (excess < self.best_merit || reached) {
+        let better = no_worse && (excess < self.best_merit || reached);
+        if better {
             self.best.copy_from_slice(present);
             self.best_merit = excess;
             self.best_iteration = self.iteration();
         }
+        better
     }
 
     fn iteration(&self) -> u32 {
