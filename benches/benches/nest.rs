@@ -1,6 +1,7 @@
 //! Nesting a hundred boards, a thousand and four thousand, the first two side by side with spyrrow (PyPI), which is
-//! given a minute: our time of the processor, numbers of raw boards, and the bound that nobody gets below. Spyrrow packs one endless strip as wide as a raw board; its boards
-//! are counted by the length of that strip, which flatters it: pieces may lie across the ends of boards.
+//! given a minute: our time of the processor, numbers of raw boards, and the bound that nobody gets below. Spyrrow packs
+//! one endless strip as wide as a raw board; its boards are counted by the length of that strip, which flatters it:
+//! pieces may lie across the ends of boards.
 //!
 //! Spyrrow is looked for in the Python that `SPYRROW_PYTHON` names; without it only our own figures are given.
 

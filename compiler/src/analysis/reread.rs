@@ -51,10 +51,10 @@ fn changed_item(source: &Source, old: &Item, span: Span, text: &str, end: usize)
     let (before, after) =
         (source.text.get(start..span.start as usize)?, source.text.get(span.end as usize..end)?);
     // It begins its line if it did.
-    let ends_line = source.text.get(..start)?.rsplit('\n').next()?.trim().is_empty();
+    let begins_line = source.text.get(..start)?.rsplit('\n').next()?.trim().is_empty();
     let mut room = " ".repeat(start);
     if let Some(last) = room.pop() {
-        room.push(if ends_line { '\n' } else { last });
+        room.push(if begins_line { '\n' } else { last });
     }
     let parsed = parse(&Source::new(FileId(source.id.0), "", format!("{room}{before}{text}{after}")));
     let mut items = parsed.ast.items;
