@@ -52,6 +52,9 @@ fn main() {
         requests(&mut client, "hover");
         requests(&mut client, "completion");
         client.finish();
+        let mut client = start();
+        completions_with_keystrokes(&mut client, lines);
+        client.finish();
     }
     let mut client = start();
     boards(&mut client);
@@ -71,22 +74,44 @@ fn write(client: &mut Client, version: i64, column: usize, text: &str) {
     client.change(URI, version, json!([{ "range": { "start": place, "end": place }, "text": text }]));
 }
 
-fn keystrokes(client: &mut Client, lines: usize, aim: u32) {
+const WRITTEN: &str = "let some_name = max(1m, 250mm) * 2  // and why\n";
+
+/// Writes a line again and again, and asks at each letter; what was asked takes its version and its column.
+fn at_each_key(
+    client: &mut Client,
+    lines: usize,
+    mut ask: impl FnMut(&mut Client, i64, usize),
+) -> Vec<Duration> {
     client.open(URI, &large::design("all", lines));
     client.diagnostics(URI, 1);
-    let mut times = Vec::new();
-    let mut version = 1;
-    let line = "let some_name = max(1m, 250mm) * 2  // and why\n";
-    for key in line.chars().cycle().take(KEYSTROKES) {
-        version += 1;
-        let column = (version as usize - 2) % line.len();
+    let keys = WRITTEN.chars().cycle().take(KEYSTROKES).enumerate().zip(2..);
+    let time = |((place, key), version): ((usize, char), i64)| {
+        let column = place % WRITTEN.len();
         let start = Instant::now();
         write(client, version, column, key.encode_utf8(&mut [0; 4]));
-        client.diagnostics(URI, version);
-        times.push(start.elapsed());
+        ask(client, version, column);
+        let time = start.elapsed();
         thread::sleep(PAUSE);
-    }
+        time
+    };
+    keys.map(time).collect()
+}
+
+fn keystrokes(client: &mut Client, lines: usize, aim: u32) {
+    let times = at_each_key(client, lines, |client, version, _| {
+        client.diagnostics(URI, version);
+    });
     print(&format!("{lines} lines, keystroke to syntax and types"), times, aim);
+}
+
+/// What a list of completions takes that opens with the letter: the text is read anew for it.
+fn completions_with_keystrokes(client: &mut Client, lines: usize) {
+    let times = at_each_key(client, lines, |client, _, column| {
+        let behind = json!({ "line": LINE, "character": column + 1 });
+        let params = json!({ "textDocument": { "uri": URI }, "position": behind });
+        client.request("textDocument/completion", params).expect("completions");
+    });
+    print(&format!("{lines} lines, completion with its keystroke"), times, 10);
 }
 
 fn requests(client: &mut Client, what: &str) {
