@@ -69,12 +69,14 @@ const URI: &str = "untitled:long.ifs";
 /// Where things are written: a line of its own at the end of the imports.
 const LINE: usize = 6;
 
-fn write(client: &mut Client, version: i64, column: usize, text: &str) {
-    let place = json!({ "line": LINE, "character": column });
-    client.change(URI, version, json!([{ "range": { "start": place, "end": place }, "text": text }]));
+/// Replaces so many columns of that line.
+fn write(client: &mut Client, version: i64, (column, columns): (usize, usize), text: &str) {
+    let place = |column: usize| json!({ "line": LINE, "character": column });
+    let range = json!({ "start": place(column), "end": place(column + columns) });
+    client.change(URI, version, json!([{ "range": range, "text": text }]));
 }
 
-const WRITTEN: &str = "let some_name = max(1m, 250mm) * 2  // and why\n";
+const WRITTEN: &str = "let some_name = max(1m, 250mm) * 2  // and why";
 
 /// Writes a line again and again, and asks at each letter; what was asked takes its version and its column.
 fn at_each_key(
@@ -87,8 +89,10 @@ fn at_each_key(
     let keys = WRITTEN.chars().cycle().take(KEYSTROKES).enumerate().zip(2..);
     let time = |((place, key), version): ((usize, char), i64)| {
         let column = place % WRITTEN.len();
+        // The first letter takes the place of the line that was written before.
+        let replaced = if column == 0 { WRITTEN.len() } else { 0 };
         let start = Instant::now();
-        write(client, version, column, key.encode_utf8(&mut [0; 4]));
+        write(client, version, (column, replaced), key.encode_utf8(&mut [0; 4]));
         ask(client, version, column);
         let time = start.elapsed();
         thread::sleep(PAUSE);
@@ -155,7 +159,7 @@ fn memory(client: &mut Client) {
     client.diagnostics(URI, 1);
     for version in 2..EDITS + 2 {
         let text = if version % 40 == 1 { "\n" } else { "a" };
-        write(client, version, 0, text);
+        write(client, version, (0, 0), text);
         if version % 50 == 0 {
             client.diagnostics(URI, version);
         }
