@@ -7,6 +7,7 @@ mod completions;
 mod diagnostics;
 mod hierarchy;
 mod neighbours;
+mod progress;
 mod publish;
 mod shown;
 mod tokens;
@@ -201,8 +202,19 @@ impl LanguageServer for Backend {
                 .and_then(|workspace| workspace.code_lens.as_ref())
                 .is_some_and(|lenses| lenses.refresh_support == Some(true)),
         };
+        let shows_progress =
+            params.capabilities.window.as_ref().is_some_and(|window| window.work_done_progress == Some(true));
         let commands = Commands::of(params.initialization_options.as_ref());
-        let told = publish::Told { encoding, pulls, takes_related, watches, snippets, commands, refreshed };
+        let told = publish::Told {
+            encoding,
+            pulls,
+            takes_related,
+            watches,
+            snippets,
+            shows_progress,
+            commands,
+            refreshed,
+        };
         let _ = self.settings.set(told);
         #[allow(deprecated, reason = "older clients say no other")]
         let root = params.root_uri.into_iter();
@@ -228,6 +240,9 @@ impl LanguageServer for Backend {
         let told = self.told();
         let (client, names) = (self.client.clone(), self.names.clone());
         tokio::spawn(publish::publish(client, self.outbox.clone(), told, names));
+        if told.shows_progress {
+            tokio::spawn(progress::show(self.client.clone(), self.outbox.working.seen()));
+        }
         if told.watches {
             self.watch();
         }

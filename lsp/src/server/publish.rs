@@ -27,6 +27,8 @@ pub(crate) struct Told {
     pub(crate) watches: bool,
     /// It fills in the places of snippets.
     pub(crate) snippets: bool,
+    /// It shows that something is being done.
+    pub(crate) shows_progress: bool,
     /// What its extension can carry out.
     pub(crate) commands: Commands,
     /// What it asks for again when it is told to.
