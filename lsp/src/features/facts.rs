@@ -160,7 +160,7 @@ mod tests {
         let text = shown(curve);
         for part in [
             "transform of `halves`",
-            "continues in `halves`; in one step differences are at most 0.75 as large",
+            "continues in `halves`; in one step differences are at most 0.25 as large",
             "  1    0\n3/4  1/4",
             "contracts, by 0.75 at most in each step",
         ] {

@@ -25,6 +25,7 @@ use ifs_compiler::source::{Source, Span};
 
 pub(crate) use dropped::organized;
 pub(crate) use imported::{imported, missing};
+pub(super) use tree::expression_at;
 
 /// A change that can be offered.
 #[derive(Clone, Debug, PartialEq, Eq)]

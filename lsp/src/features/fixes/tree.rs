@@ -7,7 +7,7 @@ use ifs_compiler::syntax::ast::Expr;
 use crate::features::walk::expressions;
 
 /// The outermost expression with exactly this span.
-pub(super) fn expression_at(analysis: &Analysis, span: Span) -> Option<&Expr> {
+pub(in crate::features) fn expression_at(analysis: &Analysis, span: Span) -> Option<&Expr> {
     let file = analysis.files.iter().find(|file| file.file == span.file)?;
     let mut found = None;
     expressions(&file.parse.ast, |expr| {
