@@ -37,7 +37,8 @@ fn what_takes_long_is_shown_until_it_ends() {
     assert_eq!(progress(&began).unwrap()["title"], "Working out");
     let words = |message: &Value| progress(message).and_then(|it| it["message"].as_str().map(str::to_owned));
     let report = client.wait("how far it is", |message| {
-        words(message).is_some_and(|words| words.starts_with("untitled:shell.ifs: planarizes roof, iteration "))
+        words(message)
+            .is_some_and(|words| words.starts_with("untitled:shell.ifs: planarizes roof, iteration "))
     });
     assert!(words(&report).unwrap().contains(" of at most 100000, worst planarity 0."), "{report}");
     // The next edit ends it; what comes then is done in a moment.
