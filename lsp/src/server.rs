@@ -448,6 +448,14 @@ impl LanguageServer for Backend {
         self.ask(&params.text_document.uri, move |snapshot| shown::format_part(snapshot, range)).await
     }
 
+    async fn on_type_formatting(
+        &self,
+        params: DocumentOnTypeFormattingParams,
+    ) -> Result<Option<Vec<TextEdit>>> {
+        let at = params.text_document_position;
+        self.ask(&at.text_document.uri, move |snapshot| shown::format_ended(snapshot, at.position)).await
+    }
+
     async fn symbol(&self, params: WorkspaceSymbolParams) -> Result<Option<WorkspaceSymbolResponse>> {
         let (reply, moment) = oneshot::channel();
         self.tell(Message::AskMoment(reply));

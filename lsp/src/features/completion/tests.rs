@@ -52,7 +52,8 @@ fn names_in_scope_by_what_fits() {
     first(&format!("{head}let x: Length = $0"), "span");
     first(&format!("{head}let x: Angle = $0\nfigure y = z"), "angle");
     first(&format!("{head}let x: Bool = $0"), "false true wide");
-    has(&format!("{head}let x = $0"), "span turns wide angle sin lerp bezier3 if for", "self use");
+    has(&format!("{head}let x = $0"), "span turns wide angle sin lerp bezier3 if for", "self use x");
+    has(&format!("{head}let x = [1, $0]\nlet y = 3\n"), "span y", "x");
     has(&format!("{head}let x = sp$0"), "span", "use");
     has(&format!("{head}let x = 2 * s$0"), "span sin", "");
     let arch = "fn arch(i: Int, width: Length) -> Length = i * $0\nlet other = 1";
