@@ -52,6 +52,9 @@ fn main() {
         requests(&mut client, "hover");
         requests(&mut client, "completion");
         client.finish();
+        let mut client = start();
+        completions_with_keystrokes(&mut client, lines);
+        client.finish();
     }
     let mut client = start();
     boards(&mut client);
@@ -66,27 +69,53 @@ const URI: &str = "untitled:long.ifs";
 /// Where things are written: a line of its own at the end of the imports.
 const LINE: usize = 6;
 
-fn write(client: &mut Client, version: i64, column: usize, text: &str) {
-    let place = json!({ "line": LINE, "character": column });
-    client.change(URI, version, json!([{ "range": { "start": place, "end": place }, "text": text }]));
+/// Replaces so many columns of that line.
+fn write(client: &mut Client, version: i64, (column, columns): (usize, usize), text: &str) {
+    let place = |column: usize| json!({ "line": LINE, "character": column });
+    let range = json!({ "start": place(column), "end": place(column + columns) });
+    client.change(URI, version, json!([{ "range": range, "text": text }]));
+}
+
+const WRITTEN: &str = "let some_name = max(1m, 250mm) * 2  // and why";
+
+/// Writes a line again and again, and asks at each letter; what was asked takes its version and its column.
+fn at_each_key(
+    client: &mut Client,
+    lines: usize,
+    mut ask: impl FnMut(&mut Client, i64, usize),
+) -> Vec<Duration> {
+    client.open(URI, &large::design("all", lines));
+    client.diagnostics(URI, 1);
+    let keys = WRITTEN.chars().cycle().take(KEYSTROKES).enumerate().zip(2..);
+    let time = |((place, key), version): ((usize, char), i64)| {
+        let column = place % WRITTEN.len();
+        // The first letter takes the place of the line that was written before.
+        let replaced = if column == 0 { WRITTEN.len() } else { 0 };
+        let start = Instant::now();
+        write(client, version, (column, replaced), key.encode_utf8(&mut [0; 4]));
+        ask(client, version, column);
+        let time = start.elapsed();
+        thread::sleep(PAUSE);
+        time
+    };
+    keys.map(time).collect()
 }
 
 fn keystrokes(client: &mut Client, lines: usize, aim: u32) {
-    client.open(URI, &large::design("all", lines));
-    client.diagnostics(URI, 1);
-    let mut times = Vec::new();
-    let mut version = 1;
-    let line = "let some_name = max(1m, 250mm) * 2  // and why\n";
-    for key in line.chars().cycle().take(KEYSTROKES) {
-        version += 1;
-        let column = (version as usize - 2) % line.len();
-        let start = Instant::now();
-        write(client, version, column, key.encode_utf8(&mut [0; 4]));
+    let times = at_each_key(client, lines, |client, version, _| {
         client.diagnostics(URI, version);
-        times.push(start.elapsed());
-        thread::sleep(PAUSE);
-    }
+    });
     print(&format!("{lines} lines, keystroke to syntax and types"), times, aim);
+}
+
+/// What a list of completions takes that opens with the letter: the text is read anew for it.
+fn completions_with_keystrokes(client: &mut Client, lines: usize) {
+    let times = at_each_key(client, lines, |client, _, column| {
+        let behind = json!({ "line": LINE, "character": column + 1 });
+        let params = json!({ "textDocument": { "uri": URI }, "position": behind });
+        client.request("textDocument/completion", params).expect("completions");
+    });
+    print(&format!("{lines} lines, completion with its keystroke"), times, 10);
 }
 
 fn requests(client: &mut Client, what: &str) {
@@ -130,7 +159,7 @@ fn memory(client: &mut Client) {
     client.diagnostics(URI, 1);
     for version in 2..EDITS + 2 {
         let text = if version % 40 == 1 { "\n" } else { "a" };
-        write(client, version, 0, text);
+        write(client, version, (0, 0), text);
         if version % 50 == 0 {
             client.diagnostics(URI, version);
         }

@@ -2,6 +2,7 @@
 //! whole design each time.
 
 use super::{Analysis, ProjectFile, load, modules};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::check_in_place;
 use crate::hir::index::{DeclarationKind, Index};
 use crate::source::{FileId, Source, Span};
@@ -10,8 +11,8 @@ use crate::syntax::parse;
 use std::mem::discriminant;
 use std::sync::Arc;
 
-/// The design with `text` in place of `span`, where that changes nothing but the inside of one item and leaves that item
-/// without syntax errors; else `None`. Of the result only the index, the typed tree as it was before the change, and the
+/// The design with `text` in place of `span`, where that changes nothing but the inside of one item and leaves its brackets
+/// balanced; else `None`. Of the result only the index, the typed tree as it was before the change, and the
 /// tree of the changed item are meant; places behind the item are those before the change.
 pub fn with_item_changed(analysis: &Analysis, span: Span, text: &str) -> Option<Analysis> {
     let file = analysis.files.iter().find(|file| file.file == span.file)?;
@@ -60,8 +61,13 @@ fn changed_item(source: &Source, old: &Item, span: Span, text: &str, end: usize)
     let mut items = parsed.ast.items;
     let item = items.pop()?;
     let same = discriminant(&item.kind) == discriminant(&old.kind) && !matches!(item.kind, ItemKind::Error);
-    let alone = items.is_empty() && parsed.diagnostics.is_empty() && item.span.start == old.span.start;
-    (same && alone).then_some(item)
+    let alone = items.is_empty() && item.span.start == old.span.start;
+    (same && alone && parsed.diagnostics.iter().all(stays_inside)).then_some(item)
+}
+
+/// Whether a mistake in the text of an item says nothing of what stands around it: brackets that are not balanced do.
+fn stays_inside(wrong: &Diagnostic) -> bool {
+    !matches!(wrong.code, Code::E0107 | Code::E0201 | Code::E0202 | Code::E0203)
 }
 
 /// What is known of the item, with what is known of all names from before.

@@ -72,17 +72,24 @@ mod tests {
             let text = fs::read_to_string(folder.join(name)).unwrap();
             let files = MemoryFiles::single("design.ifs", &text);
             let analysis = read_indexed(&files, "design.ifs", &Overrides::default());
-            let tokens = analysis.files[0].parse.tokens.iter();
-            let values = tokens.filter(|token| matches!(token.kind, TokenKind::Name | TokenKind::Number(_)));
-            for token in values.step_by(3) {
-                let whole = read_anew(&analysis, token.span, "").unwrap();
+            let tokens = || analysis.files[0].parse.tokens.iter().filter(|token| !token.kind.is_trivia());
+            let values =
+                tokens().filter(|token| matches!(token.kind, TokenKind::Name | TokenKind::Number(_)));
+            let replaced = values.step_by(3).map(|token| (token.span, ""));
+            // Beside a token a name is rarely good: of what is wrong nothing may be said of other items.
+            let before = |span: Span| Span::new(span.file, span.start, span.start);
+            let inserted = tokens().step_by(3).map(|token| (before(token.span), " "));
+            for (span, closing) in replaced.chain(inserted) {
+                let whole = read_anew(&analysis, span, closing).unwrap();
                 wholes += 1;
-                let Some(part) = with_item_changed(&analysis, token.span, NAME) else { continue };
+                let Some(part) = with_item_changed(&analysis, span, &format!("{NAME}{closing}")) else {
+                    continue;
+                };
                 parts += 1;
                 let part = Supplemented { analysis: part, name: whole.name };
-                assert_eq!(known(&part), known(&whole), "{name} at {:?}", token.span);
+                assert_eq!(known(&part), known(&whole), "{name} at {span:?}");
             }
         }
-        assert!(parts * 2 > wholes && parts > 20, "{parts} of {wholes} places");
+        assert!(parts * 4 > wholes * 3 && parts > 100, "{parts} of {wholes} places");
     }
 }

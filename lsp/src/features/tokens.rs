@@ -24,14 +24,16 @@ pub(crate) struct Before<'a> {
     pub(crate) new_line: bool,
     /// What follows the word.
     pub(crate) next: Option<TokenKind>,
+    /// Whether that stands on the line where the word ends.
+    pub(crate) next_on_line: bool,
 }
 
 /// What the cursor is in.
 pub(crate) enum Cursor<'a> {
     /// Space, or a word.
     Code(Before<'a>),
-    /// Right behind a number, or in its unit.
-    Number(Token),
+    /// Right behind a number, or in its unit: the number is the word.
+    Number(Before<'a>),
     /// In a text: the tokens before it.
     Text(Before<'a>, Token),
     /// In a comment.
@@ -54,7 +56,7 @@ pub(crate) fn cursor(analysis: &Analysis, file: FileId, offset: u32) -> Option<C
         TokenKind::Text if inside || unclosed(text.get(token.span.range())?) => {
             Cursor::Text(before(text, all, at, here), token)
         }
-        TokenKind::Number(_) | TokenKind::BadNumber => Cursor::Number(token),
+        TokenKind::Number(_) | TokenKind::BadNumber => Cursor::Number(before(text, all, at, token.span)),
         kind if kind == TokenKind::Name || kind.is_keyword() => {
             Cursor::Code(before(text, all, at, token.span))
         }
@@ -88,7 +90,11 @@ fn before<'a>(text: &'a str, all: &[Token], count: usize, word: Span) -> Before<
     let from = tokens.last().map_or(0, |token| token.span.end) as usize;
     let new_line = text.get(from..word.start as usize).is_some_and(|between| between.contains('\n'));
     let following = all[count..].iter().find(|token| !token.kind.is_trivia() && token.span.start >= word.end);
-    Before { text, tokens, open, word, new_line, next: following.map(|token| token.kind) }
+    let next_on_line = following.is_some_and(|next| {
+        text.get(word.end as usize..next.span.start as usize).is_some_and(|between| !between.contains('\n'))
+    });
+    let next = following.map(|token| token.kind);
+    Before { text, tokens, open, word, new_line, next, next_on_line }
 }
 
 fn starts_line(text: &str, at: u32) -> bool {
@@ -154,8 +160,31 @@ impl Before<'_> {
     }
 
     /// The brackets that the item leaves open at the word, closed.
-    pub(crate) fn closing(&self) -> String {
+    fn closing(&self) -> String {
         self.open.iter().rev().filter_map(|open| open.kind.closer()?.text()).collect()
+    }
+
+    /// What must stand behind a name at the word so that it can be understood; `sound` says whether the text is as it is.
+    pub(crate) fn completed(&self, sound: bool) -> String {
+        match self.next {
+            _ if sound => self.parting().to_owned(),
+            Some(next) if next.is_closer() => String::new(),
+            _ => self.closing(),
+        }
+    }
+
+    /// What parts a value at the word from one that follows on its line, so that both can stand: a comma or an operator.
+    fn parting(&self) -> &'static str {
+        use TokenKind::*;
+        let value = matches!(
+            self.next,
+            Some(Name | Number(_) | BadNumber | Text | Itself | True | False | OpenParenthesis | OpenBracket)
+        );
+        match self.back(1) {
+            _ if !value || !self.next_on_line || self.word.start < self.word.end => "",
+            Some(Comma | OpenParenthesis | OpenBracket) => ", ",
+            _ => " + ",
+        }
     }
 
     /// The names before a colon in the innermost bracket, and how many commas it has.

@@ -19,7 +19,7 @@ pub(super) fn completion(
     let range = snapshot.range(found.span);
     let items = found.offers.into_iter().enumerate();
     let items = items.map(|(place, offer)| item(snapshot, range, place, offer, snippets));
-    Some(CompletionResponse::Array(items.collect()))
+    Some(CompletionResponse::List(CompletionList { is_incomplete: !found.complete, items: items.collect() }))
 }
 
 /// The designs of the project, from its root, and the meshes that it reads already.

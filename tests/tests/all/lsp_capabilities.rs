@@ -124,7 +124,7 @@ const ROWS: &[Row] = &[
         })
     },
     row("/completionProvider", "textDocument/completion", "let height = w", |it| {
-        it[0]["label"] == "width" || says(it, "\"label\":\"width\"")
+        it["isIncomplete"] == false && says(&it["items"], "\"label\":\"width\"")
     }),
     Row {
         more: || json!({ "label": "bezier3", "data": { "module": "std.curves", "name": "bezier3" } }),

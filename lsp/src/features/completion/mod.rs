@@ -20,7 +20,6 @@ use ifs_compiler::hir::index::Index;
 use ifs_compiler::hir::tree::Hir;
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::source::{FileId, Span};
-use ifs_compiler::syntax::TokenKind;
 
 use super::supplement::supplemented;
 use super::tokens::{Before, Cursor, cursor};
@@ -108,9 +107,14 @@ impl Offer {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Completion {
     pub(crate) span: Span,
-    /// Best first.
+    /// Best first, and no more than [`MOST_OFFERS`].
     pub(crate) offers: Vec<Offer>,
+    /// Whether these are all: else others may fit when more of the word is written.
+    pub(crate) complete: bool,
 }
+
+/// How many offers are told at once: nobody reads more, and a client is slow with thousands.
+const MOST_OFFERS: usize = 300;
 
 /// What can be written at a place; `paths` are the files of the project, from its root.
 pub(crate) fn completion(
@@ -121,12 +125,25 @@ pub(crate) fn completion(
 ) -> Option<Completion> {
     let (span, mut offers) = match cursor(analysis, file, offset)? {
         Cursor::Comment => return None,
-        Cursor::Number(token) => units::units(analysis, token, offset)?,
+        Cursor::Number(before) => units::units(analysis, &before, offset)?,
         Cursor::Text(before, token) => imports::paths(analysis, &before, token, paths)?,
         Cursor::Code(before) => (before.word, code(analysis, &before, paths)),
     };
+    let complete = offers.len() <= MOST_OFFERS;
+    if !complete {
+        let text = &analysis.sources.get(file)?.text;
+        let typed = text.get(span.start as usize..offset as usize).unwrap_or("").to_lowercase();
+        offers.retain(|offer| has_letters(&offer.label, &typed));
+    }
     offers.sort_by(|a, b| (a.rank, &a.label).cmp(&(b.rank, &b.label)));
-    Some(Completion { span, offers })
+    offers.truncate(MOST_OFFERS);
+    Some(Completion { span, offers, complete })
+}
+
+/// Whether a label has these small letters in their order, as clients look for them.
+fn has_letters(label: &str, typed: &str) -> bool {
+    let mut letters = label.chars().flat_map(char::to_lowercase);
+    typed.chars().all(|typed| letters.any(|letter| letter == typed))
 }
 
 /// What the compiler knows of the place of the word.
@@ -155,6 +172,12 @@ impl<'a> Known<'a> {
     }
 }
 
+/// Whether nothing is wrong with the text of a file.
+fn is_sound(analysis: &Analysis, file: FileId) -> bool {
+    let file = analysis.files.iter().find(|parsed| parsed.file == file);
+    file.is_some_and(|file| file.parse.diagnostics.is_empty())
+}
+
 fn code(analysis: &Analysis, before: &Before<'_>, paths: &[String]) -> Vec<Offer> {
     let place = place(before);
     match &place {
@@ -170,34 +193,31 @@ fn code(analysis: &Analysis, before: &Before<'_>, paths: &[String]) -> Vec<Offer
         Place::After => return after::words(before),
         _ => {}
     }
-    // A whole text with a name at the place says what is to be said.
-    let whole = analysis.files.iter().find(|file| file.file == before.word.file);
-    let whole = whole.is_some_and(|file| file.parse.diagnostics.is_empty());
+    let as_it_is = Known { analysis, read: analysis, name: before.word, before };
+    match &place {
+        Place::Member => return snippets::members(),
+        Place::Step => return snippets::steps(),
+        Place::Entry(kind) => return settings::entries(&as_it_is, *kind),
+        Place::Field(label) => return settings::fields(&as_it_is, *label),
+        Place::Type => return names::types(&as_it_is),
+        _ => {}
+    }
+    // A sound text with a name at the place says what is to be said.
+    let sound = is_sound(analysis, before.word.file);
     let named = analysis.index.expected_at(before.word).is_some()
         || analysis.index.references.iter().any(|used| used.span == before.word);
-    let supplement = if whole && named {
-        None
-    } else {
-        let text = [before.closing(), String::new()];
-        let closing =
-            if whole || before.next.is_some_and(TokenKind::is_closer) { &text[1] } else { &text[0] };
-        supplemented(analysis, before.word, closing)
-    };
+    let supplement =
+        (!sound || !named).then(|| supplemented(analysis, before.word, &before.completed(sound))).flatten();
     let known = match &supplement {
         Some(read) => Known { analysis, read: &read.analysis, name: read.name, before },
-        None => Known { analysis, read: analysis, name: before.word, before },
+        None => as_it_is,
     };
     match place {
-        Place::Member => snippets::members(),
-        Place::Step => snippets::steps(),
-        Place::Entry(kind) => settings::entries(&known, kind),
-        Place::Field(label) => settings::fields(&known, label),
         Place::Argument(callee) => {
             let mut offers = arguments::labels(&known, callee);
             offers.extend(names::values(&known));
             offers
         }
-        Place::Type => names::types(&known),
         Place::Part => members::parts(&known),
         Place::Figure => names::figures(&known),
         _ => names::values(&known),

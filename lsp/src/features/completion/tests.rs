@@ -253,3 +253,23 @@ fn all_that_is_needed_as_one_snippet() {
     let used = "fn area(part: Part) = part.width * part.tall\n";
     whole(&format!("{record}{used}let x = area(part: {{ $0 }})\n"), "width: …, tall: …");
 }
+
+#[test]
+fn of_thousands_the_best_that_go_on_with_what_is_written() {
+    let names: String = (0..2000).map(|at| format!("let bay_{at} = {at}mm\n")).collect();
+    let found = |written: &str| {
+        let design = fixture(&format!("{names}let tall: Length = {written}$0"));
+        completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap()
+    };
+    let all = found("");
+    assert_eq!((all.offers.len(), all.complete), (MOST_OFFERS, false));
+    let some = found("Y1987");
+    assert!(!some.complete, "what is written next may be another word");
+    assert_eq!(some.offers.iter().map(|offer| offer.label.as_str()).collect::<Vec<_>>(), ["bay_1987"]);
+    assert!(completion_of_few().complete);
+}
+
+fn completion_of_few() -> Completion {
+    let design = fixture("let wide = 3m\nlet tall: Length = $0");
+    completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap()
+}

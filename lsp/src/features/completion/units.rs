@@ -3,24 +3,24 @@
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::hir::dimension::unit_worth;
 use ifs_compiler::source::Span;
-use ifs_compiler::syntax::Token;
 use ifs_compiler::syntax::ast::Unit;
 
-use super::{Kind, Offer};
+use super::{Kind, Offer, is_sound};
 use crate::features::supplement::supplemented;
+use crate::features::tokens::Before;
 use crate::features::words::written;
 
 /// The units that can follow the digits of a number, in place of the one it has.
-pub(super) fn units(analysis: &Analysis, token: Token, offset: u32) -> Option<(Span, Vec<Offer>)> {
-    let text = written(analysis, token.span);
-    let digits = digits(text);
-    let start = token.span.start + digits as u32;
+pub(super) fn units(analysis: &Analysis, before: &Before<'_>, offset: u32) -> Option<(Span, Vec<Offer>)> {
+    let number = before.word;
+    let digits = digits(written(analysis, number));
+    let start = number.start + digits as u32;
     if offset < start {
         return None;
     }
-    let span = Span::new(token.span.file, start, token.span.end);
+    let span = Span::new(number.file, start, number.end);
     // Of a name in its place the compiler says what is wanted there; numbers stand in operations too.
-    let read = supplemented(analysis, token.span, "");
+    let read = supplemented(analysis, number, &before.completed(is_sound(analysis, number.file)));
     let expected = read.as_ref().and_then(|read| read.analysis.index.expected_at(read.name)?.dimension());
     let offers = Unit::ALL.iter().enumerate().map(|(place, unit)| {
         let (dimension, _) = unit_worth(*unit);
