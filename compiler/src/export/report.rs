@@ -53,6 +53,15 @@ pub struct Report {
 }
 
 impl Report {
+    /// How many raw boards and bars all parts lie on; none where they are not nested, or some do not fit.
+    #[must_use]
+    pub fn nested_pieces(&self) -> Option<usize> {
+        let sheets = self.sheets.iter().map(|nest| (nest.sheets.len(), nest.unplaced.len()));
+        let bars = self.bars.iter().map(|nest| (nest.bars.len(), nest.unplaced.len()));
+        let sum = sheets.chain(bars).fold((0, 0), |sum, nest| (sum.0 + nest.0, sum.1 + nest.1));
+        (sum.0 > 0 && sum.1 == 0).then_some(sum.0)
+    }
+
     /// A report of `design` without parameters, figures or fabrications yet.
     #[must_use]
     pub fn new(design: &str) -> Self {

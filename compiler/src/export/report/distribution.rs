@@ -39,8 +39,12 @@ impl Distribution {
         if !values.iter().any(|value| value.is_finite()) {
             return None;
         }
-        let logarithmic = least > 0.0 && most / least >= LOGARITHMIC_FROM;
-        let bins = if most > least { BINS } else { 1 };
+        let (low, high) = (number(least), number(most));
+        // What is written as 0 has no ratio to anything.
+        let has_size = low.text() != number(0.0).text();
+        let logarithmic = least > 0.0 && has_size && most / least >= LOGARITHMIC_FROM;
+        // What differs by less than is written is noise of rounding.
+        let bins = if low.text() == high.text() { 1 } else { BINS };
         let part = |value: f64| match logarithmic {
             true => libm::log(value / least) / libm::log(most / least),
             false => (value - least) / (most - least),
@@ -50,7 +54,7 @@ impl Distribution {
             let bin = if bins == 1 { 0.0 } else { (part(value) * bins as f64).clamp(0.0, (bins - 1) as f64) };
             counts[bin as usize] += 1;
         }
-        Some(Self { logarithmic, low: number(least), high: number(most), counts })
+        Some(Self { logarithmic, low, high, counts })
     }
 
     /// The borders of bin `bin`.
@@ -81,6 +85,14 @@ mod tests {
         let same = Distribution::of([2.0, 2.0, f64::INFINITY], Fixed::mm).unwrap();
         assert_eq!(same.counts, [2]);
         assert_eq!(Distribution::of([f64::NAN], Fixed::mm), None);
+    }
+
+    #[test]
+    fn noise_of_rounding_is_no_spread() {
+        let flat = Distribution::of([1e-9, 3e-9, 1e-7], Fixed::mm).unwrap();
+        assert_eq!((flat.counts, flat.logarithmic), (vec![3], false));
+        let bent = Distribution::of([1e-9, 0.5, 4.0], Fixed::mm).unwrap();
+        assert!(!bent.logarithmic && bent.counts.len() == BINS);
     }
 
     proptest! {

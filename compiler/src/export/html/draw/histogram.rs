@@ -87,7 +87,8 @@ fn axis_of(shown: &Histogram<'_>, paper: [f64; 2]) -> Axis {
     if shown.distribution.logarithmic {
         Axis::logarithmic([from / 1.15, to * 1.15], paper)
     } else {
-        let margin = if to > from { 0.03 * (to - from) } else { 0.0 };
+        let one = shown.distribution.counts.len() == 1 && from == low && to == high;
+        let margin = if one { 0.05 * to.abs().max(1.0) } else { 0.03 * (to - from) };
         // Lengths and angles have no values below 0 to leave room for.
         let from = if from >= 0.0 { (from - margin).max(0.0) } else { from - margin };
         Axis::linear([from, to + margin], paper)

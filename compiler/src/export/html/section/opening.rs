@@ -20,7 +20,7 @@ pub(in crate::export::html) fn opening(page: &mut Markup, document: &Document<'_
     });
     // Several fabrications have a row each in the table of materials.
     if let [made] = &report.fabrications[..] {
-        facts(page, made, nested(report));
+        facts(page, made, report.nested_pieces());
     }
     let mut scales: Vec<f64> = report.fabrications.iter().map(|made| made.scale.value).collect();
     if scales.is_empty() || !document.plain.is_empty() {
@@ -96,14 +96,6 @@ fn noun(made: &[Fabrication]) -> &'static str {
         (_, true) => "plank",
         _ => "part",
     }
-}
-
-/// How many raw boards or bars all parts lie on; none where they are not nested, or some do not fit.
-fn nested(report: &Report) -> Option<usize> {
-    let sheets = report.sheets.iter().map(|nest| (nest.sheets.len(), nest.unplaced.len()));
-    let bars = report.bars.iter().map(|nest| (nest.bars.len(), nest.unplaced.len()));
-    let sum = sheets.chain(bars).fold((0, 0), |sum, nest| (sum.0 + nest.0, sum.1 + nest.1));
-    (sum.0 > 0 && sum.1 == 0).then_some(sum.0)
 }
 
 /// The figures of the only fabrication in one row; `nested`: the raw boards or bars it takes, where they are known.

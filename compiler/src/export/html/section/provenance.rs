@@ -65,6 +65,8 @@ fn materials(page: &mut Markup, report: &Report) {
     }
     page.element("div", &[("class", "together")], |page| {
         page.texts("h3", &[], "Materials");
+        // Parts of several fabrications may lie on one board.
+        let nested = report.nested_pieces().filter(|_| report.fabrications.len() == 1);
         let columns = [
             Column::text("Figure", ""),
             Column::text("Material", ""),
@@ -72,7 +74,7 @@ fn materials(page: &mut Markup, report: &Report) {
             Column::number("Area", "m²", ""),
             Column::number("Mass", "kg", ""),
             Column::text("Raw material", ""),
-            Column::number("At least", "", ""),
+            Column::number(if nested.is_some() { "Pieces" } else { "At least" }, "", ""),
         ];
         table(page, "", "", &columns, |rows| {
             for made in &report.fabrications {
@@ -92,7 +94,8 @@ fn materials(page: &mut Markup, report: &Report) {
                     false => format!("{}, at {}", made.figure, scale_ratio(made.scale.value)),
                 };
                 let parts = crate::export::html::number::count(made.counts.made);
-                let raw_count = crate::export::html::number::shown(material.raw_at_least as f64, 0);
+                let least = usize::try_from(material.raw_at_least).unwrap_or(usize::MAX);
+                let raw_count = crate::export::html::number::count(nested.unwrap_or(least));
                 rows.row([
                     Cell::Text(&figure),
                     Cell::Text(&name),
@@ -107,11 +110,13 @@ fn materials(page: &mut Markup, report: &Report) {
                 ]);
             }
         });
-        page.texts(
-            "p",
-            &[("class", "small")],
-            "At least so many raw pieces are as much as all parts together, without saw cuts and offcuts.",
-        );
+        if nested.is_none() {
+            page.texts(
+                "p",
+                &[("class", "small")],
+                "At least so many raw pieces are as much as all parts together, without saw cuts and offcuts.",
+            );
+        }
     });
 }
 
