@@ -356,13 +356,13 @@ mod tests {
             alias: alias.to_owned(),
             address: format!("{alias}.left"),
             why: "line 7 cuts into the board".to_owned(),
-            remedy: None,
+            refusal: None,
         };
         let (first, second) = (refused("rail-00"), refused("rail-01"));
-        let found = failed(Code::E0902, &[&first, &second], Span::default()).unwrap();
+        let found = failed(Code::E0902, &[&first, &second], Span::default(), None).unwrap();
         assert_eq!(found.code, Code::E0902);
         assert_eq!(found.message, "rail-00 (rail-00.left) gets no program: line 7 cuts into the board");
         assert!(found.notes[0].contains("rail-01"), "{:?}", found.notes);
-        assert!(failed(Code::E0902, &[], Span::default()).is_none());
+        assert!(failed(Code::E0902, &[], Span::default(), None).is_none());
     }
 }
