@@ -7,9 +7,11 @@ mod completions;
 mod diagnostics;
 mod hierarchy;
 mod neighbours;
+mod progress;
 mod publish;
 mod shown;
 mod tokens;
+mod told;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -24,7 +26,6 @@ use tower_lsp::ls_types::*;
 use tower_lsp::{Client, LanguageServer};
 
 use crate::protocol::capabilities::capabilities;
-use crate::protocol::commands::Commands;
 use crate::protocol::convert::from_position;
 use crate::protocol::errors::failed;
 use crate::protocol::uri::{path_of, path_on_disk};
@@ -43,7 +44,7 @@ pub(crate) struct Backend {
     names: Names,
     projects: Arc<dyn Projects>,
     orderly: Arc<AtomicBool>,
-    settings: OnceLock<publish::Told>,
+    settings: OnceLock<told::Told>,
     folders: Mutex<Vec<PathBuf>>,
     workspace: diagnostics::Workspace,
     tokens: tokens::Told,
@@ -118,7 +119,7 @@ impl Backend {
         self.folders.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn told(&self) -> publish::Told {
+    fn told(&self) -> told::Told {
         self.settings.get().copied().unwrap_or_default()
     }
 
@@ -177,32 +178,7 @@ impl LanguageServer for Backend {
         let utf8 = encodings.is_some_and(|all| all.contains(&PositionEncodingKind::UTF8));
         let encoding = if utf8 { Encoding::Utf8 } else { Encoding::Utf16 };
         self.tell(Message::Encoding(encoding));
-        let pulling =
-            params.capabilities.text_document.as_ref().and_then(|document| document.diagnostic.as_ref());
-        let workspace = params.capabilities.workspace.as_ref();
-        // Who cannot be asked to pull again would never hear what was worked out.
-        let refreshes = workspace
-            .and_then(|workspace| workspace.diagnostics.as_ref())
-            .is_some_and(|diagnostics| diagnostics.refresh_support == Some(true));
-        let pulls = pulling.is_some() && refreshes;
-        let takes_related = pulling.is_some_and(|pulling| pulling.related_document_support == Some(true));
-        let watches = workspace
-            .and_then(|workspace| workspace.did_change_watched_files.as_ref())
-            .is_some_and(|watched| watched.dynamic_registration == Some(true));
-        let completes = params.capabilities.text_document.as_ref().and_then(|it| it.completion.as_ref());
-        let snippets = completes
-            .and_then(|completes| completes.completion_item.as_ref())
-            .is_some_and(|item| item.snippet_support == Some(true));
-        let refreshed = publish::Refreshed {
-            hints: workspace
-                .and_then(|workspace| workspace.inlay_hint.as_ref())
-                .is_some_and(|hints| hints.refresh_support == Some(true)),
-            lenses: workspace
-                .and_then(|workspace| workspace.code_lens.as_ref())
-                .is_some_and(|lenses| lenses.refresh_support == Some(true)),
-        };
-        let commands = Commands::of(params.initialization_options.as_ref());
-        let told = publish::Told { encoding, pulls, takes_related, watches, snippets, commands, refreshed };
+        let told = told::Told::of(&params, encoding);
         let _ = self.settings.set(told);
         #[allow(deprecated, reason = "older clients say no other")]
         let root = params.root_uri.into_iter();
@@ -215,7 +191,7 @@ impl LanguageServer for Backend {
             publish::end_with(parent);
         }
         Ok(InitializeResult {
-            capabilities: capabilities(encoding, pulls, tokens::legend()),
+            capabilities: capabilities(encoding, told.pulls, tokens::legend()),
             server_info: Some(ServerInfo {
                 name: "ifs".to_owned(),
                 version: Some(env!("CARGO_PKG_VERSION").to_owned()),
@@ -228,6 +204,9 @@ impl LanguageServer for Backend {
         let told = self.told();
         let (client, names) = (self.client.clone(), self.names.clone());
         tokio::spawn(publish::publish(client, self.outbox.clone(), told, names));
+        if told.shows_progress {
+            tokio::spawn(progress::show(self.client.clone(), self.outbox.working.seen()));
+        }
         if told.watches {
             self.watch();
         }
@@ -431,6 +410,14 @@ impl LanguageServer for Backend {
     async fn range_formatting(&self, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
         let range = params.range;
         self.ask(&params.text_document.uri, move |snapshot| shown::format_part(snapshot, range)).await
+    }
+
+    async fn on_type_formatting(
+        &self,
+        params: DocumentOnTypeFormattingParams,
+    ) -> Result<Option<Vec<TextEdit>>> {
+        let at = params.text_document_position;
+        self.ask(&at.text_document.uri, move |snapshot| shown::format_ended(snapshot, at.position)).await
     }
 
     async fn symbol(&self, params: WorkspaceSymbolParams) -> Result<Option<WorkspaceSymbolResponse>> {

@@ -51,6 +51,7 @@ pub const ROOMS: &[(&str, &[&str])] = &[
             "planarize",
             "readback",
             "source",
+            "syntax",
         ],
     ),
 ];

@@ -19,7 +19,9 @@ pub mod type_names;
 pub mod types;
 pub mod value;
 
-pub use check::{Checked, ImportedMesh, ModuleSource, check, check_in_place, check_indexed};
+pub use check::{
+    Checked, ImportedMesh, ModuleSource, check, check_in_place, check_indexed, value_to_begin_with,
+};
 pub use library::{LIBRARY, library_text};
 pub use library_docs::{
     ItemDocs, ModuleDocs, item_docs, library_docs, library_page, native_item_docs, native_parameter,

@@ -12,6 +12,7 @@ pub mod nests;
 mod parts;
 mod place;
 mod programs;
+mod refits;
 mod report;
 mod selection;
 mod sheet_drawings;
@@ -207,7 +208,7 @@ fn cut_files(
         return diagnostics;
     }
     if selection.makes(Format::Nc) {
-        let (programs, found) = programs::programs(&blocks, nests, watch);
+        let (programs, found) = programs::programs(analysis, &blocks, nests, watch);
         diagnostics.extend(found);
         let (of_sheets, found) = sheet_programs::programs(&blocks, nests, programs.len(), watch);
         diagnostics.extend(found);

@@ -3,10 +3,11 @@
 use super::machines::machines;
 use super::names::safe_file_name;
 use super::nests::{Nests, SheetNest};
+use super::refits::refit;
 use super::sheet_programs::is_wanted;
 use super::{Making, Output, Selection, design_hash};
 use crate::analysis::{Analysis, Elements, Fabrication, Programs, number};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::export::nc::{self, NcFile};
 use crate::export::number::fixed;
 use crate::fabricate::cut_job::{CutJob, Engraving, Sheet};
@@ -99,6 +100,7 @@ pub(super) fn machines_of(
 
 /// The programs of the boards of every block with a machine, or what speaks against them.
 pub(super) fn programs(
+    analysis: &Analysis,
     blocks: &[Block<'_>],
     nests: &Nests,
     watch: &mut dyn FnMut(Making),
@@ -109,7 +111,13 @@ pub(super) fn programs(
         if let Some((_, span)) = &block.machine {
             let alone = block.jobs().filter(|(board, _)| !in_sheets.contains(&(place, *board)));
             let jobs: Vec<&CutJob> = alone.map(|(_, job)| job).collect();
-            block_programs(&jobs, &block.machines(), *span, (&mut outputs, &mut diagnostics), watch);
+            let failures = block_programs(&jobs, &block.machines(), &mut outputs, watch);
+            for code in [Code::E0901, Code::E0902] {
+                let group: Vec<&Failure> = failures.iter().filter(|failure| failure.code == code).collect();
+                let refusals: Vec<&Refusal> = group.iter().filter_map(|one| one.refusal.as_ref()).collect();
+                let fix = refit(analysis, block.made, &refusals);
+                diagnostics.extend(failed(code, &group, *span, fix));
+            }
         }
     }
     (outputs, diagnostics)
@@ -132,16 +140,15 @@ struct Failure {
     alias: String,
     address: String,
     why: String,
-    remedy: Option<String>,
+    refusal: Option<Refusal>,
 }
 
 fn block_programs(
     jobs: &[&CutJob],
     machines: &[&Machine],
-    span: Span,
-    (outputs, diagnostics): (&mut Vec<Output>, &mut Vec<Diagnostic>),
+    outputs: &mut Vec<Output>,
     watch: &mut dyn FnMut(Making),
-) {
+) -> Vec<Failure> {
     let mut failures: Vec<Failure> = Vec::new();
     for (done, job) in jobs.iter().enumerate() {
         watch(Making::Programs { done, of: jobs.len() });
@@ -151,19 +158,16 @@ fn block_programs(
                 let path = format!("boards/{}", safe_file_name(&job.address, &extension(&file)));
                 Output::of_board(&path, "program", &job.address, file.text.into_bytes())
             })),
-            Err(NoProgram { code, why, remedy }) => {
+            Err(NoProgram { code, why, refusal }) => {
                 let (alias, address) = (job.alias.clone(), job.address.clone());
-                failures.push(Failure { code, alias, address, why, remedy });
+                failures.push(Failure { code, alias, address, why, refusal });
             }
         }
     }
-    for code in [Code::E0901, Code::E0902] {
-        let group: Vec<&Failure> = failures.iter().filter(|failure| failure.code == code).collect();
-        diagnostics.extend(failed(code, &group, span));
-    }
+    failures
 }
 
-fn failed(code: Code, failures: &[&Failure], span: Span) -> Option<Diagnostic> {
+fn failed(code: Code, failures: &[&Failure], span: Span, fix: Option<Fix>) -> Option<Diagnostic> {
     let first = failures.first()?;
     let message = format!("{} ({}) gets no program: {}", first.alias, first.address, first.why);
     let mut diagnostic = Diagnostic::new(code, span, message).label("cannot be cut by this machine");
@@ -173,18 +177,21 @@ fn failed(code: Code, failures: &[&Failure], span: Span) -> Option<Diagnostic> {
         let more = if failures.len() > NAMED + 1 { ", …" } else { "" };
         diagnostic = diagnostic.note(format!("and {} more: {}{more}", failures.len() - 1, others.join(", ")));
     }
-    Some(match (code, &first.remedy) {
-        (Code::E0901, Some(remedy)) => diagnostic.hint(format!("{remedy}; nothing was written")),
+    let remedy = first.refusal.as_ref().and_then(Refusal::remedy);
+    Some(match (code, remedy) {
+        (Code::E0901, Some(remedy)) => {
+            diagnostic.ways(format!("{remedy}; nothing was written"), fix.into_iter().collect())
+        }
         (Code::E0901, None) => diagnostic.hint("change its outline; nothing was written"),
         _ => diagnostic.note("the program was read back and does not cut the board; nothing was written"),
     })
 }
 
-/// Why there is no program, and what would mend it.
+/// Why there is no program.
 struct NoProgram {
     code: Code,
     why: String,
-    remedy: Option<String>,
+    refusal: Option<Refusal>,
 }
 
 /// The machine that cuts a sheet: the first that can, which differ in their cutters; if none can, the first.
@@ -210,11 +217,11 @@ fn one(job: &CutJob, machines: &[&Machine], number: u32) -> Result<Vec<NcFile>, 
             }
         };
         let expected = Expected { number, ..Expected::new(job, machine) };
-        let refused = |why| NoProgram { code: Code::E0902, why, remedy: None };
+        let refused = |why| NoProgram { code: Code::E0902, why, refusal: None };
         return written(&program, machine, &expected).map_err(refused);
     }
     let why = refused.as_ref().map_or_else(|| "there is no machine".to_owned(), ToString::to_string);
-    Err(NoProgram { code: Code::E0901, why, remedy: refused.and_then(|refusal| refusal.remedy()) })
+    Err(NoProgram { code: Code::E0901, why, refusal: refused })
 }
 
 /// The files of a program, or the first fault that reading them back finds.
@@ -349,13 +356,13 @@ mod tests {
             alias: alias.to_owned(),
             address: format!("{alias}.left"),
             why: "line 7 cuts into the board".to_owned(),
-            remedy: None,
+            refusal: None,
         };
         let (first, second) = (refused("rail-00"), refused("rail-01"));
-        let found = failed(Code::E0902, &[&first, &second], Span::default()).unwrap();
+        let found = failed(Code::E0902, &[&first, &second], Span::default(), None).unwrap();
         assert_eq!(found.code, Code::E0902);
         assert_eq!(found.message, "rail-00 (rail-00.left) gets no program: line 7 cuts into the board");
         assert!(found.notes[0].contains("rail-01"), "{:?}", found.notes);
-        assert!(failed(Code::E0902, &[], Span::default()).is_none());
+        assert!(failed(Code::E0902, &[], Span::default(), None).is_none());
     }
 }

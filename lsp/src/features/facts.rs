@@ -6,7 +6,7 @@ use ifs_compiler::geometry::MeshSummary;
 use ifs_compiler::hir::dimension::Dimension;
 use ifs_compiler::hir::evaluate::quantity_words_to;
 use ifs_compiler::hir::schema::Measure;
-use ifs_compiler::ifs::{Automaton, Contraction, Matrix, StateId, contraction};
+use ifs_compiler::ifs::{Automaton, Contraction, Matrix, StateId, contraction, difference_norm};
 use ifs_compiler::outputs::parameter_texts;
 
 /// The most numbers of a matrix that is shown.
@@ -109,9 +109,9 @@ pub(super) fn of_transform(made: &Analysis, ifs: &str, name: &str) -> Option<Str
             let target = &automaton.state(transform.target).name;
             let matrix =
                 matrix(&transform.matrix).map_or_else(String::new, |text| format!("\n```text\n{text}\n```"));
-            let factor = quantity_words_to(transform.matrix.infinity_norm().to_f64(), Dimension::NUMBER, 4);
+            let factor = quantity_words_to(difference_norm(transform).to_f64(), Dimension::NUMBER, 4);
             format!(
-                "`{}` continues in `{target}`; largest sum of a row's sizes {factor}{matrix}",
+                "`{}` continues in `{target}`; in one step differences are at most {factor} as large{matrix}",
                 transform.name
             )
         })
@@ -160,7 +160,7 @@ mod tests {
         let text = shown(curve);
         for part in [
             "transform of `halves`",
-            "continues in `halves`",
+            "continues in `halves`; in one step differences are at most 0.25 as large",
             "  1    0\n3/4  1/4",
             "contracts, by 0.75 at most in each step",
         ] {

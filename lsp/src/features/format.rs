@@ -51,6 +51,13 @@ pub(crate) fn part_edits(analysis: &Analysis, part: Span) -> Option<Vec<(Span, S
     Some(edits.collect())
 }
 
+/// The edits that lay out the item that a bracket at a place ends.
+pub(crate) fn ended_edits(analysis: &Analysis, file: FileId, offset: u32) -> Option<Vec<(Span, String)>> {
+    let parsed = analysis.files.iter().find(|candidate| candidate.file == file)?;
+    let item = parsed.parse.ast.items.iter().find(|item| item.span.end == offset)?;
+    part_edits(analysis, item.span)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -72,6 +79,17 @@ mod tests {
         let whole = edits_applied(text, &super::edits(&design.analysis, root).unwrap());
         assert_eq!(laid_out, whole);
         assert_eq!(part_edits(&fixture("let = (").analysis, Span::new(root, 0, 3)), None);
+    }
+
+    #[test]
+    fn the_item_that_a_bracket_ends() {
+        let text = "let a   = 1\nrecord Part {\nwidth :Length\n}$0\nlet b   = 2\n";
+        let design = fixture(text);
+        let edits = ended_edits(&design.analysis, design.analysis.root, design.at).unwrap();
+        let laid_out = edits_applied(&text.replacen("$0", "", 1), &edits);
+        assert_eq!(laid_out, "let a   = 1\nrecord Part {\n    width: Length\n}\nlet b   = 2\n");
+        let inside = fixture("fabricate a as panels {\n  nest: { gap: 3mm }$0\n}\n");
+        assert_eq!(ended_edits(&inside.analysis, inside.analysis.root, inside.at), None);
     }
 
     fn edits_applied(text: &str, edits: &[(Span, String)]) -> String {

@@ -12,6 +12,7 @@ use ifs_compiler::syntax::ast;
 
 use super::boards::board;
 use super::facts;
+use super::keywords::keyword;
 use super::words::one_spaced;
 
 /// Words on a place, as Markdown.
@@ -34,6 +35,9 @@ pub(crate) fn hover(
         return Some(Hover { span: name.span, markdown });
     }
     if let Some((span, markdown)) = made.and_then(|made| board(analysis, made, file, offset)) {
+        return Some(Hover { span, markdown });
+    }
+    if let Some((span, markdown)) = keyword(analysis, file, offset) {
         return Some(Hover { span, markdown });
     }
     let (span, ty) = analysis.index.type_at(file, offset)?;

@@ -13,6 +13,7 @@ pub(crate) mod folding;
 pub(crate) mod format;
 pub(crate) mod hints;
 pub(crate) mod hover;
+mod keywords;
 pub(crate) mod lens;
 pub(crate) mod links;
 #[cfg(test)]

@@ -1,5 +1,8 @@
 //! The outline of a file: its items with their parameters, transforms, boundaries and requirements.
 
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::hir::type_names::type_name;
+use ifs_compiler::hir::types::Type;
 use ifs_compiler::source::Span;
 use ifs_compiler::syntax::ast;
 
@@ -57,6 +60,17 @@ impl Symbol {
 /// The outline of a tree, in the order of the text.
 pub(crate) fn symbols(file: &ast::File) -> Vec<Symbol> {
     file.items.iter().filter_map(item).collect()
+}
+
+/// Says beside each name that has none yet what type it has, where that is known.
+pub(crate) fn tell_types(analysis: &Analysis, symbols: &mut [Symbol]) {
+    for symbol in symbols {
+        let declared = analysis.index.declaration(symbol.name_span);
+        if let Some(declared) = declared.filter(|found| symbol.detail.is_empty() && found.ty != Type::Error) {
+            symbol.detail = type_name(&analysis.hir.items, &declared.ty);
+        }
+        tell_types(analysis, &mut symbol.parts);
+    }
 }
 
 fn item(item: &ast::Item) -> Option<Symbol> {

@@ -202,7 +202,8 @@ fn symbol(snapshot: &Snapshot, found: symbols::Symbol) -> DocumentSymbol {
 
 pub(super) fn symbols(snapshot: &Snapshot) -> DocumentSymbolResponse {
     let root = snapshot.analysis.files.first();
-    let found = root.map_or_else(Vec::new, |file| symbols::symbols(&file.parse.ast));
+    let mut found = root.map_or_else(Vec::new, |file| symbols::symbols(&file.parse.ast));
+    symbols::tell_types(&snapshot.analysis, &mut found);
     DocumentSymbolResponse::Nested(found.into_iter().map(|found| symbol(snapshot, found)).collect())
 }
 

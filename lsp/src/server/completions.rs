@@ -42,7 +42,13 @@ fn paths(snapshot: &Snapshot) -> Vec<String> {
 }
 
 fn item(snapshot: &Snapshot, range: Range, place: usize, offer: Offer, snippets: bool) -> CompletionItem {
-    let text = if snippets { offer.snippet } else { plain(&offer.snippet) };
+    let text = match offer.plain {
+        _ if snippets => offer.snippet,
+        Some(text) => text,
+        None => plain(&offer.snippet),
+    };
+    // Lines of a block stand as deep as the line that it begins on.
+    let adjusted = text.contains('\n').then_some(InsertTextMode::ADJUST_INDENTATION);
     let docs = (!offer.docs.is_empty()).then(|| markdown(offer.docs));
     let edits = offer.elsewhere.map(|(span, text)| vec![snapshot.edit(span, text)]);
     let details = CompletionItemLabelDetails { detail: None, description: offer.module.clone() };
@@ -58,6 +64,7 @@ fn item(snapshot: &Snapshot, range: Range, place: usize, offer: Offer, snippets:
         } else {
             InsertTextFormat::PLAIN_TEXT
         }),
+        insert_text_mode: adjusted,
         text_edit: Some(CompletionTextEdit::Edit(TextEdit { range, new_text: text })),
         additional_text_edits: edits,
         label_details: offer.module.is_some().then_some(details),

@@ -8,37 +8,12 @@ use std::time::Duration;
 use tower_lsp::Client;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
-use crate::protocol::commands::Commands;
+use super::told::{Refreshed, Told};
 use crate::protocol::diagnostics::diagnostic;
 use crate::protocol::uri::uri_of;
 use crate::world::Encoding;
 use crate::world::names::Names;
 use crate::world::outbox::{Outbox, Wrong};
-
-/// What the client has told of itself.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Told {
-    pub(crate) encoding: Encoding,
-    /// It pulls diagnostics, and again when it is asked to: they are not pushed too.
-    pub(crate) pulls: bool,
-    /// It takes what is wrong in other files with what it pulls of one.
-    pub(crate) takes_related: bool,
-    /// It can watch files.
-    pub(crate) watches: bool,
-    /// It fills in the places of snippets.
-    pub(crate) snippets: bool,
-    /// What its extension can carry out.
-    pub(crate) commands: Commands,
-    /// What it asks for again when it is told to.
-    pub(crate) refreshed: Refreshed,
-}
-
-/// What a client asks for again when it is told to.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Refreshed {
-    pub(crate) hints: bool,
-    pub(crate) lenses: bool,
-}
 
 /// What stands beside the text was worked out anew. Their answers say nothing, and may take their time.
 fn refresh(client: &Client, refreshed: Refreshed) {

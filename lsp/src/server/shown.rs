@@ -101,3 +101,8 @@ pub(super) fn format_part(snapshot: &Snapshot, range: Range) -> Option<Vec<TextE
     let edits = format::part_edits(&snapshot.analysis, part(snapshot, range))?;
     Some(edits.into_iter().map(|(span, text)| snapshot.edit(span, text)).collect())
 }
+
+pub(super) fn format_ended(snapshot: &Snapshot, position: Position) -> Option<Vec<TextEdit>> {
+    let edits = format::ended_edits(&snapshot.analysis, snapshot.analysis.root, snapshot.offset(position))?;
+    Some(edits.into_iter().map(|(span, text)| snapshot.edit(span, text)).collect())
+}

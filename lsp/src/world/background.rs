@@ -17,6 +17,7 @@ use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::planarize::Progress;
 
 use super::owner::Message;
+use super::working::{Doing, Work, Working};
 
 /// How long the text must rest before it is worked out, and how much longer for each KiB of it: a long one takes its time,
 /// which should not be between two keystrokes.
@@ -71,21 +72,32 @@ impl Queue {
     }
 }
 
-/// Ends what nobody wants.
-struct Unwanted(Arc<AtomicBool>);
+/// Ends what nobody wants, and says what is done.
+struct Unwanted {
+    is: Arc<AtomicBool>,
+    design: String,
+    working: Working,
+}
 
 impl Unwanted {
     fn is(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
+        self.is.load(Ordering::Relaxed)
+    }
+
+    fn say(&self, doing: Doing) {
+        self.working.set(Some(Work { design: self.design.clone(), doing }));
     }
 }
 
 impl Watch for Unwanted {
-    fn planarizing(&mut self, _: &str, _: &Progress) -> ControlFlow<()> {
+    fn planarizing(&mut self, figure: &str, progress: &Progress) -> ControlFlow<()> {
+        self.say(Doing::Planarizing(figure.to_owned(), *progress));
         self.step()
     }
 
-    fn planarized(&mut self, _: &str) {}
+    fn planarized(&mut self, _: &str) {
+        self.say(Doing::Measuring);
+    }
 
     fn step(&mut self) -> ControlFlow<()> {
         if self.is() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -96,12 +108,17 @@ impl Watch for Unwanted {
 #[derive(Clone, Default)]
 pub(crate) struct Background {
     queue: Arc<(Mutex<Queue>, Condvar)>,
+    working: Working,
 }
 
 impl Background {
     /// Starts the thread; it tells the owner what it has worked out.
-    pub(super) fn start(owner: Sender<Message>, stack: usize) -> std::io::Result<Background> {
-        let background = Background::default();
+    pub(super) fn start(
+        owner: Sender<Message>,
+        working: Working,
+        stack: usize,
+    ) -> std::io::Result<Background> {
+        let background = Background { working, ..Background::default() };
         let worker = background.clone();
         thread::Builder::new().stack_size(stack).spawn(move || worker.run(&owner))?;
         Ok(background)
@@ -137,7 +154,10 @@ impl Background {
     fn run(&self, owner: &Sender<Message>) {
         while let Some((path, job, unwanted)) = self.next() {
             let Job { read, overrides, revision } = job;
-            let mut watch = Unwanted(Arc::clone(&unwanted));
+            let design =
+                path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            let mut watch = Unwanted { is: Arc::clone(&unwanted), design, working: self.working.clone() };
+            watch.say(Doing::Measuring);
             let measure = || Arc::new(measure_watched((*read).clone(), &overrides, &mut watch));
             let measured = catch_unwind(AssertUnwindSafe(measure)).ok();
             let is_wanted = || !unwanted.load(Ordering::Relaxed);
@@ -153,11 +173,13 @@ impl Background {
                 return;
             }
             let mend = |measured: &Arc<Analysis>| {
+                watch.say(Doing::Mending);
                 let mended = || mended(measured, &overrides, &mut watch);
                 catch_unwind(AssertUnwindSafe(mended)).ok().map(|mended| worked(measured, Some(mended)))
             };
             let worked = measured.as_ref().filter(|_| is_wanted()).and_then(mend);
             self.lock().running = None;
+            self.working.set(None);
             if is_wanted() && owner.send(Message::Worked(path, worked)).is_err() {
                 return;
             }

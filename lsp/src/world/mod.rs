@@ -14,6 +14,7 @@ pub(crate) mod places;
 pub(crate) mod project_file;
 pub(crate) mod projects;
 pub(crate) mod snapshot;
+pub(crate) mod working;
 mod worst;
 
 pub(crate) use documents::Encoding;

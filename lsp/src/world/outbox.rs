@@ -9,6 +9,7 @@ use ifs_compiler::diagnostic::Diagnostic;
 use tokio::sync::Notify;
 
 use super::places::Places;
+use super::working::Working;
 
 /// What one design says of one file.
 #[derive(Clone)]
@@ -40,6 +41,8 @@ pub(crate) struct News {
 #[derive(Clone, Default)]
 pub(crate) struct Outbox {
     inner: Arc<(Mutex<News>, Notify)>,
+    /// What is being worked out.
+    pub(crate) working: Working,
 }
 
 impl Outbox {

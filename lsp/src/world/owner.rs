@@ -92,7 +92,7 @@ pub(crate) fn start(
     stack: usize,
 ) -> std::io::Result<Sender<Message>> {
     let (sender, receiver) = channel();
-    let background = Background::start(sender.clone(), stack)?;
+    let background = Background::start(sender.clone(), outbox.working.clone(), stack)?;
     let owner = Owner {
         designs: Designs::new(projects, names, background.clone(), Discard::start(stack)?),
         outbox,

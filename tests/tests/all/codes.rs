@@ -190,6 +190,41 @@ fn a_board_that_the_machine_cannot_cut() {
     let place = found.span.range();
     assert_eq!(&text[place], "router3(tool: 6mm, flute: 8mm)");
     assert!(found.message.contains("roof-00-00"), "{}", found.message);
+    // What is offered lets it be cut, whether the block gives the argument or leaves it out.
+    let mended = |text: &str, title: &str| {
+        let analysis = analysed(text.as_bytes(), &[]);
+        let made = outputs(&analysis, &Selection::all());
+        let refused = made.diagnostics.iter().find(|found| found.code == Code::E0901);
+        let Some(found) = refused else { panic!("{text}\n{:?}", said("", &analysis)) };
+        let fixes: Vec<_> = found.fixes().collect();
+        let [fix] = fixes.as_slice() else { panic!("{fixes:?}, {found:?}") };
+        assert_eq!(fix.title(&analysis.sources), title);
+        let mut text = text.to_owned();
+        for edit in &fix.edits {
+            text.replace_range(edit.span.range(), &edit.replacement);
+        }
+        let made = outputs(&analysed(text.as_bytes(), &[]), &Selection::all());
+        assert!(made.diagnostics.is_empty(), "{text}\n{:?}", made.diagnostics);
+        text
+    };
+    let new = mended(text, "take a cutter with flutes of 13mm instead of 8mm");
+    assert!(new.contains("router3(tool: 6mm, flute: 13mm)"), "{new}");
+    let thick = text.replace("flute: 8mm", "step_down: 3mm").replace("router3", "desktop_router");
+    let thick = thick.replace("tool: 6mm, step_down: 3mm", "").replace("12mm", "18mm");
+    // A desktop router is too small for the boards: a model of them.
+    let thick = thick.replace("machine:", "scale: 1/4\n            machine:");
+    let new = mended(&thick, "take a cutter with flutes of 19mm instead of 15mm");
+    assert!(new.contains("desktop_router(flute: 19mm)"), "{new}");
+    let tabs = text.replace("flute: 8mm)", "flute: 22mm)\n            fixing: tabs(12, width: 200mm)");
+    let new = mended(
+        &tabs.replace("std.machines (router3", "std.machines (router3, tabs"),
+        "hold each board by 8 tabs instead of 12",
+    );
+    assert!(new.contains("tabs(8, width: 200mm)"), "{new}");
+    let skin = text.replace("flute: 8mm)", "flute: 22mm)\n            fixing: onion_skin(7mm)");
+    let skin = skin.replace("std.machines (router3", "std.machines (router3, onion_skin");
+    let new = mended(&skin, "leave a skin of 6mm instead of 7mm");
+    assert!(new.contains("onion_skin(6mm)"), "{new}");
 }
 
 #[test]

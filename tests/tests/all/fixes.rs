@@ -168,6 +168,13 @@ const ROWS: &[Row] = &[
     row("E0103", "param wood: Text = \"spruce\n", "insert `\"`", "spruce", "spruce\""),
     row("E0105", "let a = 12mn\n", "replace `mn` with `mm`", "mn", "mm"),
     row("E0201", "let in = 3\n", "call it `in_`: `in` is a word of the language", "in =", "in_ ="),
+    row(
+        "E0201",
+        "let a = 3\nlet b = 1 < a + 1 < 5 <= 7\n",
+        "compare one by one: insert `and a + 1`, `and 5`",
+        "1 < a + 1 < 5 <= 7",
+        "1 < a + 1 and a + 1 < 5 and 5 <= 7",
+    ),
     row("E0202", "let a = [1, 2\nlet b = 3\n", "insert `]`", "2\n", "2]\n"),
     row("E0203", "let a = (1m, 2m))\n", "remove `)`", "))", ")"),
     row("E0204", "let a = 3\n//! All.\nlet b = 4\n", "replace `//!` with `///`", "//!", "///"),
@@ -185,6 +192,34 @@ const ROWS: &[Row] = &[
         "call the second `width_2`: `width` still means the first",
         "let width = 4",
         "let width_2 = 4",
+    ),
+    row(
+        "E0302",
+        "ifs c on (a, b) {\n    transform l = self on (a, lerp(a, b, 1/2))\n    transform r = self on (lerp(a, b, 1/2), b)\n    germ segment(a, b)\n    germ segment(b, a)\n}\n",
+        "remove the second, `germ segment(b, a)`",
+        "    germ segment(b, a)\n",
+        "",
+    ),
+    row(
+        "E0304",
+        "use std.curves (bezier2, sheet)\nlet f = [bezier2]\nlet g = sheet\n",
+        "import `sheet` from `std.surfaces` instead",
+        "(bezier2, sheet)\n",
+        "(bezier2)\nuse std.surfaces (sheet)\n",
+    ),
+    row(
+        "E0304",
+        "use std.curves (sheet)\nlet g = 3\n",
+        "import `sheet` from `std.surfaces` instead",
+        "std.curves",
+        "std.surfaces",
+    ),
+    row(
+        "E0304",
+        "use std.surfaces (bezier2)\nuse std.curves (bezier3)\nlet f = [bezier2, bezier3]\n",
+        "import `bezier2` from `std.curves` instead",
+        "use std.surfaces (bezier2)\nuse std.curves (bezier3)",
+        "use std.curves (bezier3, bezier2)",
     ),
     row(
         "W0307",
@@ -211,6 +246,22 @@ const ROWS: &[Row] = &[
     row("E0401", "let a: Length = 27\n", "replace `27` with `27cm`", "27", "27cm"),
     row("E0401", "let a: Length = 27\n", "replace `27` with `27m`", "27", "27m"),
     row("E0401", "let a: Angle = 30\n", "replace `30` with `30deg`", "30", "30deg"),
+    row("E0401", "let a: Length = 30deg\n", "replace `30deg` with `30mm`", "30deg", "30mm"),
+    row("E0401", "let a: Number = 30mm\n", "replace `30mm` with `30`", "30mm", "30"),
+    row(
+        "E0401",
+        "param bays: Int = 7\nlet half: Int = bays / 2\n",
+        "replace `bays / 2` with `floor(bays / 2)`",
+        "bays / 2",
+        "floor(bays / 2)",
+    ),
+    row(
+        "E0401",
+        "use std.materials (birch_plywood)\nlet bent: Length = birch_plywood(12mm).min_bend_radius\n",
+        "replace `.min_bend_radius` with `.min_bend_radius.along`",
+        "min_bend_radius\n",
+        "min_bend_radius.along\n",
+    ),
     row("E0402", "let a = 3m + 4\n", "replace `4` with `4mm`", "4", "4mm"),
     row(
         "E0403",
@@ -226,6 +277,14 @@ const ROWS: &[Row] = &[
         "{ board",
         "{ material: birch_plywood(12mm)\n    board",
     ),
+    row(
+        "E0404",
+        "fabricate rail as planks {\n    material: sawn_spruce\n    section: 120mm by 27mm\n    colour: 3\n}\n",
+        "remove `colour: 3`",
+        "    colour: 3\n",
+        "",
+    ),
+    row("E0404", "fn f(a: Int) = a\nlet c = f(1, depth: 2)\n", "remove `depth: 2`", "1, depth: 2", "1"),
     row("E0405", "fn f(a: Int) = a\nlet c = f(a: 1, a: 2)\n", "remove the second, `a: 2`", "1, a: 2", "1"),
     row(
         "E0405",
@@ -236,6 +295,8 @@ const ROWS: &[Row] = &[
     ),
     row("E0406", "fn f(a: Int) = a\nlet c = f(1, 2, 3)\n", "remove `, 2, 3`", "1, 2, 3", "1"),
     row("E0408", "let a = 3\nfn f(b: Int) = b(2)\nlet c = f(a)\n", "multiply with `*`", "b(2)", "b * (2)"),
+    row("E0409", "fn f(a: Float) = a\n", "replace `Float` with `Number`", "Float", "Number"),
+    row("E0409", "param a: Metre = 2m\n", "replace `Metre` with `Length`", "Metre", "Length"),
     row(
         "E0501",
         "ifs c on (a, b) {\n  let m = 1/2 * a + 1/3 * b\n  transform l = self on (a, m)\n  transform r = self on (m, b)\n  germ segment(a, b)\n}\n",
@@ -258,6 +319,13 @@ const ROWS: &[Row] = &[
         "r = self on (m, b)",
     ),
     row(
+        "E0507",
+        "ifs c on (a, b) {\n    transform l = self on (a, lerp(a, b, 1/2))\n    transform r = self on (lerp(a, b, 1/2), b)\n}\n",
+        "add `germ segment(a, b)`",
+        "b, 1/2), b)\n",
+        "b, 1/2), b)\n    germ segment(a, b)\n",
+    ),
+    row(
         "E0550",
         "figure s = bezier2 on ((0m, 0m), (0m, 1m), (1m, 1m)) until egde <= 300mm\nfabricate",
         "replace `egde` with `edge`",
@@ -272,6 +340,13 @@ const ROWS: &[Row] = &[
         "= 5",
     ),
     row("E0602", "let a = [1, 2]\nlet b = a[2]\n", "take element 1 instead of 2", "a[2]", "a[1]"),
+    row(
+        "E0604",
+        "use std.curves (bezier2)\nfigure r = bezier2 on ((0m, 0m), (0m, 1m), (1m, 1m)) at level (2, 3)\n",
+        "take level 3 instead of (2, 3)",
+        "(2, 3)",
+        "3",
+    ),
     row("E0607", "param n: Int = 3 in 5 .. 1\n", "write the smaller end first: `1 .. 5`", "5 .. 1", "1 .. 5"),
     row(
         "E0801",
@@ -279,6 +354,13 @@ const ROWS: &[Row] = &[
         "insert `at level 3`",
         "(1m, 1m))",
         "(1m, 1m)) at level 3",
+    ),
+    row(
+        "E0803",
+        "fabricate rail as planks {\n    material: sawn_spruce\n    section: 120mm by 27mm\n}\nfabricate rail as planks {\n    material: sawn_spruce\n    section: 100mm by 27mm\n}\n",
+        "remove the second block of `rail`, 4 lines",
+        "fabricate rail as planks {\n    material: sawn_spruce\n    section: 100mm by 27mm\n}\n",
+        "",
     ),
     row(
         "E0811",
@@ -307,6 +389,20 @@ const ROWS: &[Row] = &[
         "add `stock: 4m`: the longest plank is 442mm",
         "    nest",
         "    stock: 4m\n    nest",
+    ),
+    row(
+        "W0546",
+        "ifs hinge on (a) {\n    transform same = self on (a)\n    germ segment(a, a)\n}\nifs arm on (p, q) {\n    boundary near = hinge on (p)\n    boundary far = hinge on (q)\n    transform left = self on (p, lerp(p, q, sqrt(7) / 10))\n    transform right = self on (lerp(p, q, sqrt(0.07)), q)\n    join left.far = right.near\n    germ segment(p, q)\n}\nfigure f = arm on ((0m, 0m), (1m, 1m)) at level 2\n",
+        "put `right` on the very points of `left` where they join",
+        "sqrt(0.07)",
+        "sqrt(7) / 10",
+    ),
+    row(
+        "W0546",
+        "ifs c on (a, b) {\n    transform left = self on (a, lerp(a, b, sqrt(7) / 10))\n    transform right = self on (lerp(a, b, sqrt(0.07)), b)\n    germ segment(a, b)\n}\n",
+        "let each piece of `c` start at the very point where the one before it ends",
+        "sqrt(0.07)",
+        "sqrt(7) / 10",
     ),
 ];
 

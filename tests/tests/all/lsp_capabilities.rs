@@ -96,6 +96,15 @@ const ROWS: &[Row] = &[
         ..row("/documentFormattingProvider", "textDocument/formatting", "", |it| says(it, "width / 2"))
     },
     Row {
+        more: || json!({ "ch": "}", "options": { "tabSize": 4, "insertSpaces": true } }),
+        ..row(
+            "/documentOnTypeFormattingProvider",
+            "textDocument/onTypeFormatting",
+            "planarity >= 0.999999999\n}",
+            |it| count(it) == 1 && says(it, "board:    2500mm"),
+        )
+    },
+    Row {
         more: || {
             let (start, end) = (json!({ "line": 0, "character": 0 }), json!({ "line": 99, "character": 0 }));
             json!({ "range": { "start": start, "end": end }, "context": { "diagnostics": [] } })

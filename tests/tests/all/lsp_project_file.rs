@@ -130,3 +130,37 @@ fn of_a_file_that_is_pulled() {
     assert_eq!(said(SETTINGS, pulled["items"].as_array().unwrap()), all_three());
     client.finish();
 }
+
+#[test]
+fn a_misspelt_machine_is_mended_where_it_is_named() {
+    let text = "# 😀\r\nmachine = \"shop.ifs:ruoter\"\r\n";
+    let (folder, design, settings) = project("lsp_project_file_machine", text);
+    let mut client = Client::start(program_path(false));
+    client.initialize(&json!({}), &[]);
+    client.open(&design, DESIGN);
+    client.open(&settings, text);
+    let found = client.diagnostics_until(&settings, |list| !list.is_empty());
+    assert_eq!(said(text, &found), [("E0861".to_owned(), "\"shop.ifs:ruoter\"".to_owned())]);
+    let range = found[0]["range"].clone();
+    let asked =
+        json!({ "textDocument": { "uri": settings }, "range": range, "context": { "diagnostics": found } });
+    let actions = client.request("textDocument/codeAction", asked).unwrap();
+    let [action] = actions.as_array().unwrap().as_slice() else { panic!("{actions:#}") };
+    assert_eq!(action["title"], "replace `\"shop.ifs:ruoter\"` with `\"shop.ifs:router\"`");
+    let edit = &action["edit"]["changes"][&settings][0];
+    assert_eq!(edit["range"], range);
+    client.change(&settings, 2, json!([{ "range": edit["range"], "text": edit["newText"] }]));
+    let mended = text.replace("ruoter", "router");
+    fs::write(folder.join("ifs.toml"), &mended).unwrap();
+    client.notify("textDocument/didSave", json!({ "textDocument": { "uri": settings } }));
+    client.diagnostics_until(&settings, <[Value]>::is_empty);
+    client.finish();
+    // The command line finds nothing either.
+    let checked = std::process::Command::new(program_path(false))
+        .arg("check")
+        .arg("design.ifs")
+        .current_dir(&folder)
+        .output()
+        .unwrap();
+    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
+}

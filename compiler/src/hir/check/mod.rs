@@ -38,6 +38,7 @@ use crate::syntax::ast;
 use scope::ModuleScope;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+pub use units::placeholder as value_to_begin_with;
 
 /// A parsed file on its way to the checker.
 #[derive(Clone, Copy, Debug)]

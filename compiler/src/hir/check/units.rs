@@ -20,7 +20,7 @@ pub(super) fn with_unit(span: Span, dimension: Dimension) -> Vec<Fix> {
 }
 
 /// A value of a type to begin with, as written; none where nothing simple is one.
-pub(super) fn placeholder(ty: &Type) -> Option<String> {
+pub fn placeholder(ty: &Type) -> Option<String> {
     Some(match ty {
         Type::Int => "1".to_owned(),
         Type::Quantity(dimension) if *dimension == Dimension::NUMBER => "1".to_owned(),

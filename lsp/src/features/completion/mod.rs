@@ -7,6 +7,7 @@ mod fit;
 mod imports;
 mod members;
 mod names;
+mod needed;
 mod place;
 mod settings;
 mod snippets;
@@ -56,6 +57,8 @@ pub(crate) struct Offer {
     pub(crate) docs: String,
     /// What is written, with places to fill in as the protocol writes them.
     pub(crate) snippet: String,
+    /// What is written where no places can be filled in; the snippet up to its first place where this is none.
+    pub(crate) plain: Option<String>,
     /// How well it fits, best first.
     pub(crate) rank: u8,
     /// The module of the library that it is of, whose docs are told when they are asked for.
@@ -72,6 +75,7 @@ impl Offer {
             detail: String::new(),
             docs: String::new(),
             snippet: snippets::escaped(label),
+            plain: None,
             rank: 0,
             module: None,
             elsewhere: None,
@@ -178,10 +182,10 @@ fn code(analysis: &Analysis, before: &Before<'_>, paths: &[String]) -> Vec<Offer
     let place = place(before);
     match &place {
         Place::Nothing => return Vec::new(),
-        Place::Item => return snippets::items(),
+        Place::Item => return snippets::items(analysis, before.word),
         Place::Module => return imports::modules(analysis, before, paths),
         Place::Import(module) => return imports::names(analysis, before, *module),
-        Place::Kind => return settings::kinds(),
+        Place::Kind => return settings::kinds(analysis, before),
         Place::Measure(kind) => return settings::measures(*kind),
         Place::Size => return settings::sizes(),
         Place::Space => return after::spaces(before),

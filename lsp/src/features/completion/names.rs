@@ -8,6 +8,7 @@ use ifs_compiler::hir::tree::ItemKind;
 use ifs_compiler::hir::type_names::{type_name, type_names};
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::hir::{ItemDocs, ModuleDocs, library_docs, native_item_docs, native_result};
+use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
 
 use super::fit::Fit;
@@ -31,8 +32,18 @@ pub(super) fn values(known: &Known<'_>) -> Vec<Offer> {
         return offers;
     }
     let names = known.index().names(known.name.file, known.name.start);
-    offers.extend(names.iter().filter_map(|visible| value(known, visible, expected)));
+    let own = defined(known);
+    let others = names.iter().filter(|visible| own.is_none_or(|own| visible.target != Target::Declared(own)));
+    offers.extend(others.filter_map(|visible| value(known, visible, expected)));
     offers
+}
+
+/// The name of the value that is being defined here: it cannot be made of itself.
+fn defined(known: &Known<'_>) -> Option<Span> {
+    let of_itself = [TokenKind::Let, TokenKind::Param, TokenKind::Figure];
+    let item = known.before.item().filter(|item| of_itself.contains(item))?;
+    let word = known.before.tokens.iter().position(|token| token.kind == item)?;
+    known.before.tokens.get(word + 1).map(|name| name.span)
 }
 
 /// Words of the language that are values where `expected` is wanted.

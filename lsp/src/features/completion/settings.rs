@@ -1,22 +1,35 @@
 //! Settings and requirements of fabricate blocks, and fields in braces: those not given yet.
 
+use ifs_compiler::analysis::Analysis;
 use ifs_compiler::hir::index::Target;
 use ifs_compiler::hir::schema::{Measure, SchemaKind, Setting, SettingType};
 use ifs_compiler::hir::size::SizeMeasure;
 use ifs_compiler::hir::type_names::type_name;
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::source::Span;
+use ifs_compiler::syntax::TokenKind;
 
 use super::snippets::escaped;
-use super::{Kind, Known, Offer};
+use super::{Kind, Known, Offer, needed};
+use crate::features::tokens::Before;
 use crate::features::words::written;
 
 /// What a figure can be fabricated as.
-pub(super) fn kinds() -> Vec<Offer> {
-    vec![
-        Offer::new("panels", Kind::Keyword).detail("flat boards, one for each quad of a surface"),
-        Offer::new("planks", Kind::Keyword).detail("straight planks, one for each segment of a curve"),
-    ]
+pub(super) fn kinds(analysis: &Analysis, before: &Before<'_>) -> Vec<Offer> {
+    let kinds = [
+        (SchemaKind::Panels, "flat boards, one for each quad of a surface"),
+        (SchemaKind::Planks, "straight planks, one for each segment of a curve"),
+    ];
+    let has_block = before.next == Some(TokenKind::OpenBrace);
+    let offers = kinds.map(|(kind, detail)| {
+        let offer = if has_block {
+            Offer::new(kind.name(), Kind::Keyword)
+        } else {
+            needed::kind_with_block(analysis, before.word, kind)
+        };
+        offer.detail(detail)
+    });
+    offers.to_vec()
 }
 
 /// What a level can be found by.
@@ -52,6 +65,13 @@ pub(super) fn entries(known: &Known<'_>, kind: Option<SchemaKind>) -> Vec<Offer>
     settings.retain(|setting| names.insert(setting.name));
     let given = given(known);
     let mut offers = missing(known, settings, &given);
+    let glued = !known.before.new_line && known.before.next == Some(TokenKind::CloseBrace);
+    let whole =
+        kind.and_then(|kind| needed::settings(known.analysis, known.before.word, kind, &given, glued));
+    if let Some(whole) = whole {
+        offers.iter_mut().for_each(|offer| offer.rank += 1);
+        offers.insert(0, whole);
+    }
     let require = Offer::new("require", Kind::Keyword).detail("what the compiler checks of every board");
     offers.push(require.snippet("require $0").rank(50));
     offers
@@ -145,13 +165,14 @@ fn record(
     given: &[String],
 ) -> Vec<Offer> {
     let fields = fields.unwrap_or_default().iter().filter(|field| !given.contains(&field.name));
-    fields
-        .enumerate()
-        .map(|(place, field)| {
-            Offer::new(&field.name, Kind::Field)
-                .detail(type_name(&known.hir().items, &field.ty))
-                .snippet(format!("{}: $0", field.name))
-                .rank(place as u8 + if field.required { 0 } else { 100 })
-        })
-        .collect()
+    let fields: Vec<_> = fields.collect();
+    let must = fields.iter().filter(|field| field.required);
+    let must: Vec<_> = must.map(|field| (field.name.as_str(), Some(&field.ty))).collect();
+    let each = fields.iter().enumerate().map(|(place, field)| {
+        Offer::new(&field.name, Kind::Field)
+            .detail(type_name(&known.hir().items, &field.ty))
+            .snippet(format!("{}: $0", field.name))
+            .rank((place as u8).saturating_add(if field.required { 1 } else { 101 }))
+    });
+    needed::named(&must).into_iter().chain(each).collect()
 }

@@ -1,6 +1,10 @@
 //! What begins an item, a member or a line, with places to fill in.
 
-use super::{Kind, Offer};
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::hir::schema::SchemaKind;
+use ifs_compiler::source::Span;
+
+use super::{Kind, Offer, needed};
 
 /// A text that stands for itself in a snippet.
 pub(crate) fn escaped(text: &str) -> String {
@@ -21,6 +25,29 @@ pub(super) fn call<'n>(name: &str, needed: impl Iterator<Item = &'n str>) -> Str
     if places.is_empty() { format!("{name}($0)") } else { format!("{name}({})", places.join(", ")) }
 }
 
+/// A snippet with what its places say already, for a client that fills in none.
+pub(super) fn filled(snippet: &str) -> String {
+    let mut text = String::new();
+    let mut letters = snippet.chars().peekable();
+    let mut inside = false;
+    while let Some(letter) = letters.next() {
+        match letter {
+            '\\' => text.extend(letters.next()),
+            '$' => {
+                let braces = letters.next_if_eq(&'{').is_some();
+                while letters.next_if(char::is_ascii_digit).is_some() {}
+                inside = braces && letters.next_if_eq(&':').is_some();
+                if braces && !inside {
+                    letters.next_if_eq(&'}');
+                }
+            }
+            '}' if inside => inside = false,
+            letter => text.push(letter),
+        }
+    }
+    text
+}
+
 fn statements(all: &[(&str, &str, &str)]) -> Vec<Offer> {
     let offers = all.iter().enumerate().map(|(place, (word, detail, snippet))| {
         Offer::new(word, Kind::Keyword).detail(*detail).snippet(*snippet).rank(place as u8)
@@ -29,8 +56,8 @@ fn statements(all: &[(&str, &str, &str)]) -> Vec<Offer> {
 }
 
 /// What begins an item.
-pub(super) fn items() -> Vec<Offer> {
-    statements(&[
+pub(super) fn items(analysis: &Analysis, place: Span) -> Vec<Offer> {
+    let mut offers = statements(&[
         ("use", "names of the library or of another file", "use ${1:std.curves} ($0)"),
         (
             "param",
@@ -50,15 +77,15 @@ pub(super) fn items() -> Vec<Offer> {
             "ifs ${1:name} in plane {\n    transform ${2:first} = ${3:scale(1/2)} * self\n    germ ${4:segment((0m, 0m), (1m, 0m))}\n}",
         ),
         ("figure", "an ifs at a level", "figure ${1:name} = $2 at level ${3:3}"),
-        (
-            "fabricate",
-            "boards or planks out of a figure",
-            "fabricate ${1:figure} as ${2|panels,planks|} {\n    material: $3\n    $0\n}",
-        ),
         ("record", "a type with fields", "record ${1:Name} {\n    ${2:field}: ${3:Length}\n}"),
         ("test", "what is stated of the design", "test \"${1:what it shows}\" {\n    assert $0\n}"),
         ("pub", "for other files too", "pub "),
-    ])
+    ]);
+    // After `figure`, before what is rarer.
+    let blocks =
+        [SchemaKind::Panels, SchemaKind::Planks].map(|kind| needed::block(analysis, place, kind).rank(6));
+    offers.extend(blocks);
+    offers
 }
 
 /// What begins a member of an ifs.

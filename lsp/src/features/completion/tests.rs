@@ -52,7 +52,8 @@ fn names_in_scope_by_what_fits() {
     first(&format!("{head}let x: Length = $0"), "span");
     first(&format!("{head}let x: Angle = $0\nfigure y = z"), "angle");
     first(&format!("{head}let x: Bool = $0"), "false true wide");
-    has(&format!("{head}let x = $0"), "span turns wide angle sin lerp bezier3 if for", "self use");
+    has(&format!("{head}let x = $0"), "span turns wide angle sin lerp bezier3 if for", "self use x");
+    has(&format!("{head}let x = [1, $0]\nlet y = 3\n"), "span y", "x");
     has(&format!("{head}let x = sp$0"), "span", "use");
     has(&format!("{head}let x = 2 * s$0"), "span sin", "");
     let arch = "fn arch(i: Int, width: Length) -> Length = i * $0\nlet other = 1";
@@ -85,7 +86,8 @@ fn settings_that_are_not_given_yet() {
     first(&format!("{head}fabricate $0"), "shell");
     first(&format!("{head}fabricate shell $0"), "as");
     first(&format!("{head}fabricate shell as $0"), "panels planks");
-    first(&format!("{head}fabricate shell as panels {{ $0"), "material board side grain");
+    let block = format!("{head}fabricate shell as panels {{ $0");
+    assert_eq!(labels(&block)[..3], ["material, board", "material", "board"]);
     let given = format!(
         "{head}fabricate shell as panels {{\n    material: birch_plywood(12mm)\n    $0\n    side: outer\n}}"
     );
@@ -198,6 +200,58 @@ fn types_and_words_in_their_places() {
     has("let xs = [i $0]", "for in", "sin");
     has("let x = if a $0", "then", "else");
     has("param a: Length = 2m $0", "in step", "on");
+}
+
+#[test]
+fn all_that_is_needed_as_one_snippet() {
+    let head = "use std.surfaces (sheet)\nuse std.curves (bspline2)\nlet net = [[(i * 1m, j * 1m, 0m) for j in 0..3] for i in 0..3]\nfigure shell = sheet(bspline2, bspline2, net) at level 1\n";
+    let find = |text: &str, label: &str| {
+        let found = offers(text);
+        let labels: Vec<_> = found.iter().map(|offer| offer.label.clone()).collect();
+        found.into_iter().find(|offer| offer.label == label).unwrap_or_else(|| panic!("{label}: {labels:?}"))
+    };
+    // What is written without places to fill in is a design that is right, with what it must import.
+    let whole = |text: &str, label: &str| {
+        let design = fixture(text);
+        let found = completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap();
+        let offer = found.offers.into_iter().find(|offer| offer.label == label).unwrap();
+        let mut new = text.replacen("$0", "", 1);
+        new.replace_range(found.span.range(), offer.plain.as_ref().unwrap());
+        if let Some((span, import)) = &offer.elsewhere {
+            new.replace_range(span.range(), import);
+        }
+        let made = fixture(&new).made();
+        assert!(made.diagnostics.is_empty(), "{new}\n{:?}", made.diagnostics);
+        new
+    };
+    let offer = find(&format!("{head}fabricate shell as panels {{\n    $0\n}}\n"), "material, board");
+    assert_eq!(offer.snippet, "material: ${1:birch_plywood(12mm)}\nboard: ${2:2500mm} by ${3:1250mm}");
+    assert_eq!(offer.elsewhere.unwrap().1, "\nuse std.materials (birch_plywood)");
+    whole(&format!("{head}fabricate shell as panels {{\n    $0\n}}\n"), "material, board");
+    whole(&format!("{head}fabricate shell as panels {{ $0 }}\n"), "material, board");
+    whole(&format!("{head}fabricate shell as $0\n"), "panels");
+    let new = whole(&format!("{head}$0\n"), "fabricate as panels");
+    assert!(
+        new.contains("fabricate shell as panels {\n    material: birch_plywood(12mm)\n    board: "),
+        "{new}"
+    );
+    // A material of the design's own comes before those of the library.
+    let own = format!("use std.materials (spruce_plywood)\nlet thin = spruce_plywood(12mm)\n{head}");
+    let offer = find(&format!("{own}fabricate shell as panels {{\n    $0\n}}"), "material, board");
+    assert_eq!((&offer.snippet[..20], offer.elsewhere), ("material: ${1:thin}\n", None));
+    let arch =
+        "use std.curves (bezier2)\nfigure arch = bezier2 on ((0m, 0m), (1m, 2m), (2m, 0m)) at level 2\n";
+    let new = whole(&format!("{arch}fabricate arch as $0\n"), "planks");
+    assert!(new.contains("as planks {\n    material: sawn_spruce\n    section: 120mm by 40mm\n"), "{new}");
+    // Arguments and fields by name, where more than one is missing.
+    let call = "fn arch(i: Int, width: Length, tall: Bool = true) -> Length = width * i\n";
+    let new = whole(&format!("{call}let x = arch($0)\n"), "i: …, width: …");
+    assert!(new.ends_with("arch(i: 1, width: 1m)\n"), "{new}");
+    has(&format!("{call}let x = arch(1, $0)\n"), "width:", "width:…");
+    assert!(offers(&format!("{call}let x = arch($0 2m)\n")).iter().all(|offer| offer.plain.is_none()));
+    let record = "record Part { width: Length, tall: Length, name: Text = \"\" }\n";
+    let used = "fn area(part: Part) = part.width * part.tall\n";
+    whole(&format!("{record}{used}let x = area(part: {{ $0 }})\n"), "width: …, tall: …");
 }
 
 #[test]

@@ -8,11 +8,11 @@ use ifs_compiler::syntax::ast::{Expr, ExprKind, Ifs, ItemKind, MemberKind, Place
 use crate::features::words::written;
 
 /// A transform, where it stands and in which ifs.
-struct Piece<'a> {
-    ifs: &'a Ifs,
+pub(super) struct Piece<'a> {
+    pub(super) ifs: &'a Ifs,
     span: Span,
-    name: &'a str,
-    images: &'a [Expr],
+    pub(super) name: &'a str,
+    pub(super) images: &'a [Expr],
 }
 
 /// Either point in the place of the other.
@@ -57,7 +57,7 @@ pub(super) fn joined(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
 }
 
 /// The transform that a place is in, where it puts something on points written out.
-fn piece(analysis: &Analysis, at: Span) -> Option<Piece<'_>> {
+pub(super) fn piece(analysis: &Analysis, at: Span) -> Option<Piece<'_>> {
     let file = analysis.files.iter().find(|file| file.file == at.file)?;
     let around = |span: Span| span.start <= at.start && at.end <= span.end;
     let mut members = file.parse.ast.items.iter().flat_map(|item| match &item.kind {
@@ -74,7 +74,7 @@ fn piece(analysis: &Analysis, at: Span) -> Option<Piece<'_>> {
 }
 
 /// The points that it places its target on.
-fn images(transform: &Transform) -> Option<&[Expr]> {
+pub(super) fn images(transform: &Transform) -> Option<&[Expr]> {
     match &transform.value.kind {
         ExprKind::On(_, Placement::Points(points, _)) => Some(points.as_slice()),
         _ => None,

@@ -18,7 +18,7 @@ pub(super) fn import(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     vec![Fix::titled(format!("remove the import of `{name}`")).with(span, "")]
 }
 
-fn import_of(analysis: &Analysis, name: Span) -> Option<(Span, &Use)> {
+pub(super) fn import_of(analysis: &Analysis, name: Span) -> Option<(Span, &Use)> {
     let file = analysis.files.iter().find(|file| file.file == name.file)?;
     file.parse.ast.items.iter().find_map(|item| match &item.kind {
         ItemKind::Use(import) if import.names.iter().any(|other| other.span == name) => {
@@ -64,6 +64,56 @@ pub(super) fn argument(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     };
     let what = written(analysis, entry.unwrap_or(span)).trim_matches([',', ' ', '\n']).to_owned();
     vec![Fix::titled(format!("remove the second, `{what}`")).with(span, "")]
+}
+
+/// An argument, field or setting that is not known, with its value.
+pub(super) fn unknown(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
+    let words = words(analysis, found.span);
+    let Some(all) = entry_at(analysis, found.span).or_else(|| given(&words, found.span)) else {
+        return Vec::new();
+    };
+    let what = written(analysis, all).split_whitespace().collect::<Vec<_>>().join(" ");
+    let span = if entry_at(analysis, found.span).is_some() { all } else { with_comma(&words, all) };
+    vec![Fix::titled(format!("remove `{what}`")).with(span, "")]
+}
+
+/// The second block of a figure.
+pub(super) fn block(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
+    let file = analysis.files.iter().find(|file| file.file == found.span.file);
+    let mut items = file.into_iter().flat_map(|file| &file.parse.ast.items);
+    let second = items
+        .find(|item| matches!(&item.kind, ItemKind::Fabricate(block) if block.figure.span == found.span));
+    let Some(second) = second else { return Vec::new() };
+    let lines = written(analysis, second.span).lines().count();
+    let title = format!("remove the second block of `{}`, {lines} lines", written(analysis, found.span));
+    vec![Fix::titled(title.replace(" 1 lines", " one line")).with(second.span, "")]
+}
+
+/// The second of two levels where there is one.
+pub(super) fn level(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
+    let words = words(analysis, found.span);
+    let before = words.iter().rev().find(|token| token.span.end <= found.span.start);
+    let after = words.iter().find(|token| token.span.start >= found.span.end);
+    let (Some(open), Some(close)) = (before, after) else { return Vec::new() };
+    let pair = (open.kind, close.kind) == (TokenKind::OpenParenthesis, TokenKind::CloseParenthesis);
+    let inside =
+        words.iter().filter(|token| found.span.start <= token.span.start && token.span.end <= found.span.end);
+    let inside: Vec<_> = inside.collect();
+    // Two numbers or names.
+    let ([first, comma, second], true) = (inside.as_slice(), pair) else { return Vec::new() };
+    if comma.kind != TokenKind::Comma {
+        return Vec::new();
+    }
+    let all = Span::new(found.span.file, open.span.start, close.span.end);
+    let one = |level: Span| {
+        let level = written(analysis, level);
+        Fix::titled(format!("take level {level} instead of {}", written(analysis, all))).with(all, level)
+    };
+    let mut fixes = vec![one(first.span)];
+    if written(analysis, first.span) != written(analysis, second.span) {
+        fixes.push(one(second.span));
+    }
+    fixes
 }
 
 /// The arguments beyond those that are taken.

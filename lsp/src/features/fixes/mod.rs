@@ -4,10 +4,16 @@
 
 mod apart;
 mod case;
+mod chained;
+mod converted;
 mod dropped;
+mod elsewhere;
+mod foreign;
+mod germ;
 mod imported;
 mod limits;
 mod names;
+mod rounded;
 mod swapped;
 mod tokens;
 mod tree;
@@ -19,6 +25,7 @@ use ifs_compiler::source::{Source, Span};
 
 pub(crate) use dropped::organized;
 pub(crate) use imported::{imported, missing};
+pub(super) use tree::expression_at;
 
 /// A change that can be offered.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,18 +68,26 @@ fn is_safe(code: Code) -> bool {
 
 fn computed(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     match found.code {
-        Code::E0201 => names::reserved(analysis, found),
+        Code::E0201 => [names::reserved(analysis, found), chained::apart(analysis, found)].concat(),
         Code::E0205 => case::renamed(analysis, found),
-        Code::E0302 => names::renamed(analysis, found),
+        Code::E0302 => [names::renamed(analysis, found), germ::second(analysis, found)].concat(),
+        Code::E0304 => elsewhere::imported(analysis, found),
+        Code::E0401 => converted::fitting(analysis, found),
+        Code::E0404 => dropped::unknown(analysis, found),
         Code::E0405 => dropped::argument(analysis, found),
         Code::E0406 => dropped::surplus(analysis, found),
+        Code::E0409 => foreign::named(analysis, found),
         Code::E0501 => weights::completed(analysis, found),
         Code::E0505 => apart::joined(analysis, found),
+        Code::E0507 => germ::added(analysis, found),
         Code::E0553 => dropped::each(analysis, found),
+        Code::E0604 => dropped::level(analysis, found),
         Code::E0607 => swapped::ends(analysis, found),
+        Code::E0803 => dropped::block(analysis, found),
         Code::E0806 | Code::W0608 | Code::W0525 | Code::E0820 => dropped::entry(analysis, found),
         Code::E0835 => limits::one_of_two(analysis, found),
         Code::W0307 => dropped::import(analysis, found),
+        Code::W0546 => rounded::same_points(analysis, found),
         _ => Vec::new(),
     }
 }

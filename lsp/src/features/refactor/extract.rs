@@ -1,13 +1,14 @@
-//! A part of an expression gets a name: a `let` before the item, or in its ifs before the member.
+//! A part of an expression gets a name: a `let` before the item, or in its ifs or test before the member or the line.
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::Edit;
 use ifs_compiler::hir::index::Target;
 use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
-use ifs_compiler::syntax::ast::{BinaryOperator, Expr, ExprKind, Ifs, Item, ItemKind, MemberKind};
+use ifs_compiler::syntax::ast::{BinaryOperator, Expr, ExprKind, Ifs, Item, ItemKind, MemberKind, TestStep};
 
-use super::{Refactoring, typed};
+use super::{Refactoring, line_of, typed};
+use crate::features::fixes::expression_at;
 use crate::features::walk::of_item;
 use crate::features::words::written;
 
@@ -24,7 +25,7 @@ pub(crate) fn extract(analysis: &Analysis, selected: Span) -> Option<Refactoring
     let span = Span::new(selected.file, start, start + text.trim().len() as u32);
     let around = |outer: Span| outer.start <= span.start && span.end <= outer.end;
     let item = file.parse.ast.items.iter().find(|item| around(item.span))?;
-    let before = place(item, span)?;
+    let before = place(analysis, item, span)?;
     if !is_always_worked_out(item, span) {
         return None;
     }
@@ -33,8 +34,9 @@ pub(crate) fn extract(analysis: &Analysis, selected: Span) -> Option<Refactoring
             found.scope.is_some() && !around_of(span, found.span)
         };
         analysis.index.declaration(used).filter(outside).is_none_or(|found| {
-            // What an ifs gives its members can be seen by a `let` of its own.
-            matches!(item.kind, ItemKind::Ifs(_)) && found.scope.is_some_and(|scope| around_of(scope, before))
+            // What an ifs gives its members can be seen by a `let` of its own, and so can the lines of a test before it.
+            matches!(item.kind, ItemKind::Ifs(_) | ItemKind::Test(_))
+                && found.scope.is_some_and(|scope| around_of(scope, before))
         })
     };
     let mut names = analysis.index.references.iter().filter(|used| around_of(span, used.span));
@@ -72,12 +74,55 @@ fn around_of(outer: Span, inner: Span) -> bool {
 }
 
 /// What the `let` stands before: the item, or the member of an ifs.
-fn place(item: &Item, span: Span) -> Option<Span> {
+fn place(analysis: &Analysis, item: &Item, span: Span) -> Option<Span> {
     match &item.kind {
         ItemKind::Let(_) | ItemKind::Figure(_) | ItemKind::Fabricate(_) => Some(item.span),
         ItemKind::Ifs(ifs) => member(ifs, span),
+        ItemKind::Test(test) => test.steps.iter().find_map(|step| match step {
+            TestStep::Let(value) => {
+                around_of(value.value.span, span).then(|| line_of(analysis, value)).flatten()
+            }
+            TestStep::Assert(_, line) => around_of(*line, span).then_some(*line),
+            TestStep::Error(_) => None,
+        }),
+        // A function has no lines of its own. What uses none of its parameters can stand before it, unless it might fail:
+        // a function that is never called fails at nothing.
+        ItemKind::Function(function) => {
+            let expr = expression_at(analysis, span).filter(|_| around_of(function.body.span, span))?;
+            cannot_fail(expr).then_some(item.span)
+        }
+        // A default is worked out anew for each call, and a parameter of the design is no expression.
         _ => None,
     }
+}
+
+/// Whether the value of an expression is known to be one without working it out.
+fn cannot_fail(expr: &Expr) -> bool {
+    let mut open = vec![expr];
+    while let Some(expr) = open.pop() {
+        match &expr.kind {
+            ExprKind::Number { .. } | ExprKind::Text(_) | ExprKind::Bool(_) | ExprKind::Name(_) => {}
+            ExprKind::Group(inner) | ExprKind::Unary(_, inner) => open.push(inner),
+            ExprKind::Tuple(parts) | ExprKind::List(parts) => open.extend(parts),
+            ExprKind::Binary(BinaryOperator::Divide, _, left, right) => {
+                let ExprKind::Number { digits, .. } = &right.kind else { return false };
+                if digits.chars().all(|digit| !matches!(digit, '1'..='9')) {
+                    return false;
+                }
+                open.push(left);
+            }
+            ExprKind::Binary(
+                BinaryOperator::Add | BinaryOperator::Subtract | BinaryOperator::Multiply,
+                _,
+                left,
+                right,
+            ) => {
+                open.extend([&**left, &**right]);
+            }
+            _ => return false,
+        }
+    }
+    true
 }
 
 fn member(ifs: &Ifs, span: Span) -> Option<Span> {

@@ -1,13 +1,13 @@
-//! A `let` of a file is written out where it is used, and goes.
+//! A `let` of a file, an ifs or a test is written out where it is used, and goes.
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::Edit;
 use ifs_compiler::hir::index::Target;
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::TokenKind;
-use ifs_compiler::syntax::ast::{Expr, ExprKind, Item, ItemKind, Let, Placement};
+use ifs_compiler::syntax::ast::{Expr, ExprKind, Item, ItemKind, Let, MemberKind, Placement, TestStep};
 
-use super::{Refactoring, typed};
+use super::{Refactoring, line_of, typed};
 use crate::features::walk::expressions;
 use crate::features::words::written;
 
@@ -16,14 +16,17 @@ use crate::features::words::written;
 pub(crate) fn inline(analysis: &Analysis, file: FileId, offset: u32) -> Option<Refactoring> {
     let Target::Declared(declared) = analysis.index.name_at(file, offset)?.target else { return None };
     let parsed = analysis.files.iter().find(|parsed| parsed.file == file && declared.file == file)?;
-    let (item, value) = parsed.parse.ast.items.iter().find_map(|item| match &item.kind {
-        ItemKind::Let(value) if value.name.span == declared => Some((item, value)),
-        _ => None,
+    let (value, whole, is_public) = parsed.parse.ast.items.iter().find_map(|item| {
+        let is_public = item.public.is_some();
+        let value = lets(item).into_iter().find(|value| value.name.span == declared)?;
+        match &item.kind {
+            ItemKind::Let(_) => Some((value, item.span, is_public)),
+            _ => Some((value, line_of(analysis, value)?, false)),
+        }
     })?;
     let uses: Vec<Span> = analysis.index.uses(Target::Declared(declared)).collect();
-    let own =
-        |span: &Span| span.file == file && !(item.span.start <= span.start && span.end <= item.span.end);
-    if item.public.is_some() || value.ty.is_some() || uses.is_empty() || !uses.iter().all(own) {
+    let own = |span: &Span| span.file == file && !(whole.start <= span.start && span.end <= whole.end);
+    if is_public || value.ty.is_some() || uses.is_empty() || !uses.iter().all(own) {
         return None;
     }
     if !uses.iter().all(|used| sees_the_same(analysis, &value.value, *used)) {
@@ -43,7 +46,7 @@ pub(crate) fn inline(analysis: &Analysis, file: FileId, offset: u32) -> Option<R
         return None;
     }
     let replacement = if atomic { text.to_owned() } else { format!("({text})") };
-    let mut edits = vec![Edit { span: removed(analysis, item), replacement: String::new() }];
+    let mut edits = vec![Edit { span: removed(analysis, whole), replacement: String::new() }];
     edits.extend(uses.iter().map(|span| Edit { span: *span, replacement: replacement.clone() }));
     edits.sort_by_key(|edit| edit.span.start);
     let mut moved: i64 = 0;
@@ -85,32 +88,67 @@ fn is_atomic(value: &Expr) -> bool {
     )
 }
 
-/// Whether no name of the value is hidden by a local at a use.
+/// The `let`s of an item: itself, the members of an ifs, the lines of a test.
+fn lets(item: &Item) -> Vec<&Let> {
+    match &item.kind {
+        ItemKind::Let(value) => vec![value],
+        ItemKind::Ifs(ifs) => {
+            let members = ifs.members.iter().filter_map(|member| match &member.kind {
+                MemberKind::Let(value) => Some(value),
+                _ => None,
+            });
+            members.collect()
+        }
+        ItemKind::Test(test) => {
+            let lines = test.steps.iter().filter_map(|step| match step {
+                TestStep::Let(value) => Some(value),
+                _ => None,
+            });
+            lines.collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Whether each name of the value means at a use what it means in the value.
 fn sees_the_same(analysis: &Analysis, value: &Expr, used: Span) -> bool {
     let inside = |span: Span| {
         span.file == value.span.file && value.span.start <= span.start && span.end <= value.span.end
     };
-    let names: Vec<&str> = analysis
-        .index
-        .references
-        .iter()
-        .filter(|name| inside(name.span))
-        .map(|name| written(analysis, name.span))
-        .collect();
-    analysis.index.visible(used.file, used.start).iter().all(|local| !names.contains(&local.name.as_str()))
+    let locals = analysis.index.visible(used.file, used.start);
+    analysis.index.references.iter().filter(|name| inside(name.span)).all(|name| {
+        let word = written(analysis, name.span);
+        let declared = match name.target {
+            Target::Declared(span) => analysis.index.declaration(span),
+            _ => None,
+        };
+        // What is declared inside of the value goes with it.
+        if declared.is_some_and(|found| inside(found.span)) {
+            return true;
+        }
+        let local = locals.iter().find(|local| local.name == word);
+        match declared.filter(|found| found.scope.is_some()) {
+            Some(own) => local.is_some_and(|local| local.span == own.span),
+            None => local.is_none(),
+        }
+    })
 }
 
-/// The `let` with the lines that document it and the end of its line.
-fn removed(analysis: &Analysis, item: &Item) -> Span {
-    let file = analysis.files.iter().find(|file| file.file == item.span.file);
+/// The `let` with the lines that document it, and its line where nothing else stands on it.
+fn removed(analysis: &Analysis, whole: Span) -> Span {
+    let file = analysis.files.iter().find(|file| file.file == whole.file);
     let tokens = file.map_or(&[][..], |file| &file.parse.tokens);
-    let before = tokens.iter().rev().filter(|token| token.span.end <= item.span.start);
+    let before = tokens.iter().rev().filter(|token| token.span.end <= whole.start);
     let docs = before.take_while(|token| matches!(token.kind, TokenKind::Whitespace | TokenKind::ItemDocs));
     let first = docs.filter(|token| token.kind == TokenKind::ItemDocs).last();
-    let start = first.map_or(item.span.start, |token| token.span.start);
-    let text = analysis.sources.get(item.span.file).map_or("", |source| source.text.as_str());
-    let rest = &text[item.span.end as usize..];
+    let start = first.map_or(whole.start, |token| token.span.start);
+    let text = analysis.sources.get(whole.file).map_or("", |source| source.text.as_str());
+    let rest = &text[whole.end as usize..];
     let spaces = rest.len() - rest.trim_start_matches([' ', '\t', '\r']).len();
-    let line = if rest[spaces..].starts_with('\n') { spaces + 1 } else { 0 };
-    Span::new(item.span.file, start, item.span.end + line as u32)
+    if !rest[spaces..].starts_with('\n') {
+        return Span::new(whole.file, start, whole.end);
+    }
+    let indented = text[..start as usize].trim_end_matches([' ', '\t']);
+    let start = if indented.is_empty() || indented.ends_with('\n') { indented.len() as u32 } else { start };
+    Span::new(whole.file, start, whole.end + spaces as u32 + 1)
 }

@@ -11,6 +11,8 @@ use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::Edit;
 use ifs_compiler::hir::type_names::type_name;
 use ifs_compiler::source::Span;
+use ifs_compiler::syntax::TokenKind;
+use ifs_compiler::syntax::ast::Let;
 
 pub(crate) use extract::extract;
 pub(crate) use inline::inline;
@@ -54,6 +56,18 @@ impl Refactoring {
         said(before) == said(after)
             && self.typed.iter().all(|(span, ty)| typed(after, *span).is_some_and(|found| found == *ty))
     }
+}
+
+/// A `let` from its first word to the end of its value.
+fn line_of(analysis: &Analysis, value: &Let) -> Option<Span> {
+    let file = analysis.files.iter().find(|file| file.file == value.name.span.file)?;
+    let before = file
+        .parse
+        .tokens
+        .iter()
+        .rev()
+        .find(|token| token.span.end <= value.name.span.start && !token.kind.is_trivia())?;
+    (before.kind == TokenKind::Let).then(|| before.span.to(value.value.span))
 }
 
 /// The type of the expression that stands exactly there, in words: numbers of items differ between two readings.
@@ -136,6 +150,45 @@ mod tests {
         let named = "let depth = 3mm\nfn f(depth: Length, n: Int) -> Length = depth * n\nlet b = f(depth: «2mm + 1mm», n: 2)\nlet value = 4\n";
         let (_, new) = extracted(named).unwrap();
         assert!(new.contains("let depth_2 = 2mm + 1mm\nlet b = f(depth: depth_2, n: 2)"), "{new}");
+    }
+
+    #[test]
+    fn in_tests_and_functions() {
+        let test = format!(
+            "{ARCH}test \"t\" {{\n    let n = 2\n    // Four.\n    assert len(arch.boards) == «n * 2» and true\n}}\n"
+        );
+        let (_, new) = extracted(&test).unwrap();
+        assert!(
+            new.ends_with("let n = 2\n    // Four.\n    let value = n * 2\n    assert len(arch.boards) == value and true\n}\n"),
+            "{new}"
+        );
+        let back = new.replace("let value", "let «»value");
+        let (title, back) = inlined(&back).unwrap();
+        assert_eq!(title, "write `n * 2` in the place of `value`");
+        assert_eq!(back, test.replace('«', "(").replace('»', ")"));
+        let (_, new) =
+            extracted(&test.replace(['«', '»'], "").replace("len(arch.boards)", "«len(arch.boards)»"))
+                .unwrap();
+        assert!(new.contains("    let value = len(arch.boards)\n    assert value == n * 2"), "{new}");
+        let (_, new) = inlined(&test.replace(['«', '»'], "").replace("let n", "let «»n")).unwrap();
+        assert!(new.contains("{\n    // Four.\n    assert len(arch.boards) == 2 * 2"), "{new}");
+        // In an ifs, where a control point has the name in both places.
+        let curve = "ifs c on (p, q) {\n    let «»m = lerp(p, q, 1/2)\n    transform l = self on (p, m)\n    transform r = self on (m, q)\n    germ segment(p, q)\n}\nfigure f = c on ((0m, 0m), (1m, 1m)) at level 2\n";
+        let (_, new) = inlined(curve).unwrap();
+        assert!(new.starts_with("ifs c on (p, q) {\n    transform l = self on (p, lerp(p, q, 1/2))\n    transform r = self on (lerp(p, q, 1/2), q)\n"), "{new}");
+        // Of a function what its parameters have no part in.
+        let function =
+            "param w: Length = 2m\nfn rise(n: Int) -> Length = n * («w / 2 + 10mm»)\nlet a = rise(3)\n";
+        let (_, new) = extracted(function).unwrap();
+        assert!(new.contains("let value = w / 2 + 10mm\nfn rise(n: Int) -> Length = n * (value)\n"), "{new}");
+        for text in [
+            "fn rise(n: Int) -> Length = «n * 2» * 1m\nlet a = rise(3)\n",
+            // It is worked out where it is called, which may be never.
+            "let none: [Int] = []\nfn rise(n: Int) -> Int = n * «max(none)»\n",
+            "let zero = 0\nfn rise(n: Int) -> Number = n * («1 / zero»)\n",
+        ] {
+            assert_eq!(extracted(text), None, "{text}");
+        }
     }
 
     #[test]

@@ -1,0 +1,167 @@
+//! All that a block, a call or a record cannot be without, as one snippet with places to fill in.
+
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::hir::index::Origin;
+use ifs_compiler::hir::schema::{SchemaKind, Setting, SettingType};
+use ifs_compiler::hir::types::Type;
+use ifs_compiler::hir::value_to_begin_with;
+use ifs_compiler::source::Span;
+
+use super::fit::Fit;
+use super::imports::to_import;
+use super::snippets::{escaped, filled};
+use super::{Kind, Offer};
+
+/// The material that is written where the design has none.
+fn usual_material(kind: SchemaKind) -> (&'static str, &'static str) {
+    match kind {
+        SchemaKind::Panels => ("birch_plywood", "birch_plywood(12mm)"),
+        _ => ("sawn_spruce", "sawn_spruce"),
+    }
+}
+
+/// A material of the design, else the usual one with what must be imported for it.
+fn material(analysis: &Analysis, place: Span, kind: SchemaKind) -> (String, Option<(Span, String)>) {
+    let (usual, call) = usual_material(kind);
+    let names = analysis.index.names(place.file, place.start);
+    let known = names.iter().filter(|visible| matches!(visible.origin, Origin::Own | Origin::Imported));
+    let own = known.filter(|visible| visible.name.starts_with(|c: char| c.is_ascii_lowercase())).find_map(
+        |visible| {
+            if Fit::of(&analysis.index, visible.ty, Some(&Type::Material)) != Fit::Yes {
+                return None;
+            }
+            let needed =
+                visible.parameters.map(|all| all.iter().filter(|one| one.required).collect::<Vec<_>>());
+            match needed.as_deref() {
+                _ if visible.name == usual => Some(call.to_owned()),
+                None => Some(visible.name.to_owned()),
+                Some([]) => Some(format!("{}()", visible.name)),
+                Some([one]) if one.ty == Type::LENGTH => Some(format!("{}(12mm)", visible.name)),
+                Some(_) => None,
+            }
+        },
+    );
+    match own {
+        Some(own) => (own, None),
+        None => (call.to_owned(), to_import(analysis, place.file, "std.materials", usual)),
+    }
+}
+
+/// The places of a snippet, one after the other.
+#[derive(Default)]
+struct Places(usize);
+
+impl Places {
+    fn of(&mut self, text: &str) -> String {
+        self.0 += 1;
+        format!("${{{}:{}}}", self.0, escaped(text))
+    }
+}
+
+/// The lines of settings that a block needs, and what must be imported for them.
+fn lines(
+    analysis: &Analysis,
+    place: Span,
+    kind: SchemaKind,
+    needed: &[&Setting],
+    places: &mut Places,
+) -> (Vec<String>, Option<(Span, String)>) {
+    let mut import = None;
+    let lines = needed.iter().map(|setting| {
+        let value = match (&setting.ty, setting.name) {
+            (SettingType::Of(Type::Material), _) => {
+                let (text, elsewhere) = material(analysis, place, kind);
+                import = elsewhere;
+                places.of(&text)
+            }
+            (SettingType::Of(Type::Size), "section") => {
+                format!("{} by {}", places.of("120mm"), places.of("40mm"))
+            }
+            (SettingType::Of(Type::Size), _) => {
+                format!("{} by {}", places.of("2500mm"), places.of("1250mm"))
+            }
+            (SettingType::Of(ty), name) => {
+                places.of(&value_to_begin_with(ty).unwrap_or_else(|| name.to_owned()))
+            }
+            (SettingType::Library(_), _) => "{ }".to_owned(),
+        };
+        format!("{}: {value}", setting.name)
+    });
+    (lines.collect(), import)
+}
+
+/// What is written whole, whether places can be filled in or not.
+fn whole(label: &str, kind: Kind, snippet: String) -> Offer {
+    let plain = filled(&snippet);
+    Offer { plain: Some(plain), ..Offer::new(label, kind).snippet(snippet) }
+}
+
+/// `panels` or `planks` with its block.
+pub(super) fn kind_with_block(analysis: &Analysis, place: Span, kind: SchemaKind) -> Offer {
+    let settings = kind.settings();
+    let needed: Vec<&Setting> = settings.iter().filter(|setting| setting.required).collect();
+    let (lines, import) = lines(analysis, place, kind, &needed, &mut Places::default());
+    let word = kind.name();
+    let mut offer =
+        whole(word, Kind::Keyword, format!("{word} {{\n    {}\n    $0\n}}", lines.join("\n    ")));
+    offer.elsewhere = import;
+    offer
+}
+
+/// A whole block for a figure that has none, where the design has one.
+pub(super) fn block(analysis: &Analysis, place: Span, kind: SchemaKind) -> Offer {
+    let made =
+        |name: &str| analysis.hir.fabricates.iter().any(|block| analysis.hir.item(block.figure).name == name);
+    let own = analysis.index.module(place.file).map_or(&[][..], |module| &module.own);
+    let figure = own.iter().find(|known| known.ty.is_figure() && !made(&known.name));
+    let settings = kind.settings();
+    let needed: Vec<&Setting> = settings.iter().filter(|setting| setting.required).collect();
+    let mut places = Places::default();
+    let name = places.of(figure.map_or("figure", |known| &known.name));
+    let (lines, import) = lines(analysis, place, kind, &needed, &mut places);
+    let word = kind.name();
+    let snippet = format!("fabricate {name} as {word} {{\n    {}\n    $0\n}}", lines.join("\n    "));
+    let mut offer = whole(&format!("fabricate as {word}"), Kind::Keyword, snippet);
+    offer.detail = format!("{word} out of a figure, with what they need");
+    offer.elsewhere = import;
+    offer
+}
+
+/// All settings that a block of a kind needs and does not have, where they are more than one; `glued` says that the
+/// braces stand on one line.
+pub(super) fn settings(
+    analysis: &Analysis,
+    place: Span,
+    kind: SchemaKind,
+    given: &[String],
+    glued: bool,
+) -> Option<Offer> {
+    let settings = kind.settings();
+    let absent = |setting: &&Setting| setting.required && !given.iter().any(|given| given == setting.name);
+    let needed: Vec<&Setting> = settings.iter().filter(absent).collect();
+    if needed.len() < 2 {
+        return None;
+    }
+    let label = needed.iter().map(|setting| setting.name).collect::<Vec<_>>().join(", ");
+    let (lines, import) = lines(analysis, place, kind, &needed, &mut Places::default());
+    let snippet = if glued { format!("\n    {}\n", lines.join("\n    ")) } else { lines.join("\n") };
+    let mut offer = whole(&label, Kind::Field, snippet).detail(format!("all that {} need", kind.name()));
+    offer.elsewhere = import;
+    Some(offer)
+}
+
+/// All arguments or fields that must be given and are not, where they are more than one: their names, and their types
+/// where they are known.
+pub(super) fn named(needed: &[(&str, Option<&Type>)]) -> Option<Offer> {
+    if needed.len() < 2 {
+        return None;
+    }
+    let label = needed.iter().map(|(name, _)| format!("{name}: …")).collect::<Vec<_>>().join(", ");
+    let mut places = Places::default();
+    let given = needed.iter().map(|(name, ty)| {
+        let value = ty.and_then(value_to_begin_with).unwrap_or_else(|| (*name).to_owned());
+        format!("{name}: {}", places.of(&value))
+    });
+    let snippet = given.collect::<Vec<_>>().join(", ");
+    Some(whole(&label, Kind::Field, snippet).detail("all that must be given"))
+}

@@ -1,0 +1,77 @@
+//! What the words of the language mean, in a line each. Names are not among them: what they stand for is said of them.
+
+use ifs_compiler::analysis::Analysis;
+use ifs_compiler::source::{FileId, Span};
+use ifs_compiler::syntax::TokenKind;
+
+use super::words::written;
+
+/// Words and what they mean, as Markdown.
+const WORDS: &[(&str, &str)] = &[
+    ("and", "Both are true; the second is not worked out where the first is false."),
+    ("as", "What the boards of a figure are: `as panels` or `as planks`."),
+    ("assert", "What must be true where a test is run: `assert len(roof.boards) == 64`."),
+    ("at", "How deep a figure goes: `at level 3`, for a surface also `at level (3, 2)`."),
+    ("boundary", "Names an ifs on the end or the side of this one: `boundary start = point on (a)`."),
+    ("by", "The second side of a size: `2500mm by 1250mm`."),
+    ("each", "With `until`: every branch stops on its own as soon as it is small enough."),
+    ("fabricate", "Makes boards out of a figure, with what they are cut from and what is required of them."),
+    ("figure", "An ifs at a level, on points: what is drawn, and made of boards. An output of the design."),
+    ("fn", "A function: `fn arch(i: Int) -> Length = i * 1m`."),
+    ("for", "A list of what is made of each: `[i * 1m for i in 0..5]`."),
+    ("germ", "What an ifs draws at the last level in the place of its smaller copies."),
+    ("if", "One of two values: `if a < b then a else b`; behind `for` only those that it is true of."),
+    ("ifs", "An iterated function system: a figure made of smaller copies of itself."),
+    ("join", "States that two boundaries of the pieces are the same; the compiler proves it."),
+    ("keep", "What an ifs draws at every level on the way, not only at the last."),
+    ("let", "A name for a value."),
+    ("level", "How many times an ifs is taken apart into its transforms."),
+    ("on", "The points that an ifs is placed on, or in its head the control points that it has."),
+    ("or", "One of both is true; the second is not worked out where the first is."),
+    ("param", "A number of the design that can be set from outside, with its range and step."),
+    ("pub", "What follows can be used by other files too."),
+    ("record", "A type with fields."),
+    ("require", "What must be true of every board, else the design is not built."),
+    ("self", "The ifs around, with its own arguments."),
+    ("step", "The step between the values that a parameter can have."),
+    ("test", "What is stated of the design; `ifs test` runs it."),
+    ("transform", "A smaller copy: the ifs that it continues with, and where."),
+    ("until", "A level by size: the first at which every element is so small."),
+    ("use", "Takes names from a module of the library or from another file."),
+];
+
+/// The word of the language at a place, and what it means.
+pub(super) fn keyword(analysis: &Analysis, file: FileId, offset: u32) -> Option<(Span, String)> {
+    let parse = &analysis.files.iter().find(|parsed| parsed.file == file)?.parse;
+    let token = parse.tokens.iter().find(|token| token.span.start <= offset && offset < token.span.end)?;
+    if token.kind != TokenKind::Name && !token.kind.is_keyword() {
+        return None;
+    }
+    let word = written(analysis, token.span);
+    let (_, meaning) = WORDS.iter().find(|(known, _)| *known == word)?;
+    Some((token.span, format!("```ifs\n{word}\n```\n---\n{meaning}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::WORDS;
+    use crate::features::fixture::fixture;
+    use crate::features::hover::hover;
+
+    fn shown(text: &str) -> String {
+        let design = fixture(text);
+        let found = hover(&design.analysis, None, design.analysis.root, design.at);
+        found.map_or(String::new(), |found| found.markdown)
+    }
+
+    #[test]
+    fn words_are_told_and_names_stay_names() {
+        assert!(WORDS.windows(2).all(|pair| pair[0].0 < pair[1].0), "in the order of the alphabet");
+        assert!(shown("fi$0gure f = g").contains("An output of the design"));
+        assert!(shown("figure f = g at le$0vel 3").contains("taken apart"), "in a text that is wrong too");
+        // A name that is such a word.
+        let named = shown("let step = 3m\nlet a = st$0ep\n");
+        assert!(named.contains("let step: Length") && !named.contains("can have"), "{named}");
+        assert_eq!(shown("let a = \"at le$0vel 3\"\n"), "```ifs\nText\n```");
+    }
+}
