@@ -90,6 +90,6 @@ mod tests {
                 assert_eq!(known(&part), known(&whole), "{name} at {span:?}");
             }
         }
-        assert!(parts * 4 > wholes * 3 && parts > 100, "{parts} of {wholes} places");
+        assert!(parts * 5 > wholes * 2 && parts > 100, "{parts} of {wholes} places");
     }
 }
