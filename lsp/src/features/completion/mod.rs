@@ -199,6 +199,7 @@ fn code(analysis: &Analysis, before: &Before<'_>, paths: &[String]) -> Vec<Offer
         Place::Step => return snippets::steps(),
         Place::Entry(kind) => return settings::entries(&as_it_is, *kind),
         Place::Field(label) => return settings::fields(&as_it_is, *label),
+        Place::FieldOf(brace) => return settings::fields_of(&as_it_is, *brace),
         Place::Type => return names::types(&as_it_is),
         _ => {}
     }

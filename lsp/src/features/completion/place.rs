@@ -21,6 +21,8 @@ pub(crate) enum Place {
     Entry(Option<SchemaKind>),
     /// A field in the braces after the label that stands there.
     Field(Span),
+    /// A field in the braces that open there.
+    FieldOf(Span),
     /// An argument of what is called by the name that stands there.
     Argument(Span),
     /// A value.
@@ -190,7 +192,7 @@ fn braces(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
         },
         _ if ended => match open.at.checked_sub(2).map(|at| before.tokens[at]) {
             Some(label) if before.tokens[open.at - 1].kind == TokenKind::Colon => Place::Field(label.span),
-            _ => Place::Nothing,
+            _ => Place::FieldOf(before.tokens[open.at].span),
         },
         _ => value_or_after(before),
     }

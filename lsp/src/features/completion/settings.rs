@@ -123,8 +123,6 @@ fn missing(known: &Known<'_>, settings: Vec<Setting>, given: &[String]) -> Vec<O
 
 /// The fields of what stands in braces behind a label, that are not given yet.
 pub(super) fn fields(known: &Known<'_>, label: Span) -> Vec<Offer> {
-    let (given, _) = known.before.given();
-    let given: Vec<String> = given.into_iter().map(str::to_owned).collect();
     let named = known.index().name_at(label.file, label.start);
     let setting = match named.map(|name| name.target) {
         Some(Target::Setting(kind, name)) => kind.setting(name).map(|setting| setting.ty),
@@ -134,7 +132,20 @@ pub(super) fn fields(known: &Known<'_>, label: Span) -> Vec<Offer> {
         // A block that is too broken to be read still has its label.
         _ => by_label(known, written(known.analysis, label)),
     };
-    match setting {
+    fields_of_type(known, setting)
+}
+
+/// The fields of what stands in the braces that open there, by the type that their place would like.
+pub(super) fn fields_of(known: &Known<'_>, brace: Span) -> Vec<Offer> {
+    let here = |place: &Span| (place.file, place.start) == (brace.file, brace.start);
+    let expected = known.index().expected.iter().find(|(place, _)| here(place));
+    fields_of_type(known, expected.map(|(_, ty)| SettingType::Of(ty.clone())))
+}
+
+fn fields_of_type(known: &Known<'_>, ty: Option<SettingType>) -> Vec<Offer> {
+    let (given, _) = known.before.given();
+    let given: Vec<String> = given.into_iter().map(str::to_owned).collect();
+    match ty {
         Some(SettingType::Of(Type::Settings(kind))) => missing(known, kind.settings(), &given),
         Some(SettingType::Of(Type::Record(id))) => {
             let name = known.hir().item(id).name_span;

@@ -122,6 +122,16 @@ fn settings_that_are_not_given_yet() {
 }
 
 #[test]
+fn fields_by_the_type_that_is_wanted() {
+    let head = "record Bay {\n    offset: Length\n    crown: Length = 1m\n}\nfn wide(bay: Bay) -> Length = bay.offset\n";
+    has(&format!("{head}let bay: Bay = {{ $0 }}\n"), "offset crown", "use");
+    has(&format!("{head}let bay: Bay = {{ offset: 1m, $0 }}\n"), "crown", "offset");
+    has(&format!("{head}let bay: Bay = {{ $0\nlet other = 1m\n"), "offset crown", "");
+    has(&format!("{head}let all = [wide({{ $0 }})]\n"), "offset crown", "");
+    first("let odd = { $0 }\n", "");
+}
+
+#[test]
 fn units_behind_a_number() {
     first("let x = 12$0", "mm cm m in ft");
     first("let x = 12m$0", "mm cm m in ft");
