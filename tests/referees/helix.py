@@ -38,7 +38,10 @@ class Helix:
 
     def keys(self, *keys):
         for key in keys:
-            self.child.send(key)
+            # Letter by letter, as people write: changes of one moment may be sent in a wrong order by Helix 25.01.
+            for letter in key:
+                self.child.send(letter)
+                self.look(0.04)
             self.look(0.15)
 
     def wait(self, what, shown, seconds=20):

@@ -23,7 +23,7 @@ pub(super) fn completion(
 }
 
 /// The designs of the project, from its root, and the meshes that it reads already.
-fn paths(snapshot: &Snapshot) -> Vec<String> {
+pub(super) fn paths(snapshot: &Snapshot) -> Vec<String> {
     let root = &snapshot.places.root;
     let designs = snapshot.places.projects.designs(root);
     let open = snapshot.open.keys().cloned();

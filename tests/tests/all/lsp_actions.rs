@@ -103,6 +103,13 @@ fn names_of_other_files_are_imported() {
         [],
         "files would use each other"
     );
+    // A path that leads nowhere, and the file that was meant.
+    let text = "use «\"./parts/rips.ifs\"» (purlin)\nlet b = purlin\n";
+    client.change(&design, 100, json!([{ "text": text.replace(['«', '»'], "") }]));
+    let found = actions(&mut client, &design, text, &everything());
+    let (title, after) = found.first().unwrap();
+    assert_eq!(title, "replace `./parts/rips.ifs` with `./parts/ribs.ifs`");
+    assert_eq!(after, "use \"./parts/ribs.ifs\" (purlin)\nlet b = purlin\n");
     client.finish();
 }
 

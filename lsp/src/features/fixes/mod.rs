@@ -13,6 +13,7 @@ mod germ;
 mod imported;
 mod limits;
 mod names;
+mod paths;
 mod rounded;
 mod swapped;
 mod tokens;
@@ -25,6 +26,7 @@ use ifs_compiler::source::{Source, Span};
 
 pub(crate) use dropped::organized;
 pub(crate) use imported::{imported, missing};
+pub(crate) use paths::nearest;
 pub(super) use tree::expression_at;
 
 /// A change that can be offered.
