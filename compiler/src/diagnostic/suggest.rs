@@ -6,13 +6,18 @@
 /// distance (insertions, deletions, substitutions and swaps of neighbours count 1). The first of equals wins.
 pub fn closest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let mut best: Option<(usize, &str)> = None;
+    let own = name.chars().count();
     for candidate in candidates {
-        let longer = name.chars().count().max(candidate.chars().count());
-        if longer > 64 || candidate == name {
+        let length = candidate.chars().count();
+        let longer = own.max(length);
+        let most = (longer / 3).max(1);
+        let near = |distance: usize| distance <= most && best.is_none_or(|(least, _)| distance < least);
+        // No fewer characters differ than one name is longer by.
+        if longer > 64 || candidate == name || !near(own.abs_diff(length)) {
             continue;
         }
         let distance = distance(name, candidate);
-        if distance <= (longer / 3).max(1) && best.is_none_or(|(least, _)| distance < least) {
+        if near(distance) {
             best = Some((distance, candidate));
         }
     }
