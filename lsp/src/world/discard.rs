@@ -1,5 +1,5 @@
-//! Where analyses go that nobody needs any more: taking a large one apart takes as long as a part of reading it, and is done
-//! on a thread of its own, not between a keystroke and its answer.
+//! Where designs go that were worked out and that nobody needs any more: taking thousands of boards apart is done on a thread
+//! of its own, not between a keystroke and its answer.
 
 use std::sync::Arc;
 use std::sync::mpsc::{Sender, channel};
