@@ -21,6 +21,7 @@ use ifs_compiler::hir::tree::Hir;
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::source::{FileId, Span};
 
+use super::search::has_letters;
 use super::supplement::supplemented;
 use super::tokens::{Before, Cursor, cursor};
 pub(super) use imports::{relative, to_import};
@@ -132,18 +133,12 @@ pub(crate) fn completion(
     let complete = offers.len() <= MOST_OFFERS;
     if !complete {
         let text = &analysis.sources.get(file)?.text;
-        let typed = text.get(span.start as usize..offset as usize).unwrap_or("").to_lowercase();
-        offers.retain(|offer| has_letters(&offer.label, &typed));
+        let typed = text.get(span.start as usize..offset as usize).unwrap_or("");
+        offers.retain(|offer| has_letters(&offer.label, typed));
     }
     offers.sort_by(|a, b| (a.rank, &a.label).cmp(&(b.rank, &b.label)));
     offers.truncate(MOST_OFFERS);
     Some(Completion { span, offers, complete })
-}
-
-/// Whether a label has these small letters in their order, as clients look for them.
-fn has_letters(label: &str, typed: &str) -> bool {
-    let mut letters = label.chars().flat_map(char::to_lowercase);
-    typed.chars().all(|typed| letters.any(|letter| letter == typed))
 }
 
 /// What the compiler knows of the place of the word.
