@@ -2,7 +2,7 @@
 # The long run, beside tests/run.sh: every fuzz target for some minutes each (10 unless given), from the texts of the tree.
 # Then a whole build of 10,000 boards: every file is read again, and 300 of its programs go before rs274 and shapely.
 # Then 10,000 random boards in each dialect of NC programs go there too.
-# At last the editors: VS Code and Emacs themselves open a design (tests/editors.sh).
+# At last the editors: VS Code, Emacs and Helix themselves open a design (tests/editors.sh).
 # What a target finds lies in fuzz/artifacts/; the smallest form of it belongs into tests/corpus/.
 #   tests/acceptance.sh [MINUTES]
 set -euo pipefail

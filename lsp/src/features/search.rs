@@ -66,11 +66,11 @@ mod tests {
             found.sort_by_key(|found| found.rank);
             found.into_iter().map(|found| found.symbol.name).collect::<Vec<_>>().join(" ")
         };
-        assert_eq!(names("shell"), "shell shell shell_width", "an ifs and its block");
+        assert_eq!(names("shell"), "shell shell_width fabricate shell");
         assert_eq!(names("material"), "");
         assert_eq!(names("shw"), "shell_width");
         assert_eq!(names("LEFT"), "left");
         assert_eq!(names("xyz"), "");
-        assert_eq!(names(""), "shell_width shell shell left");
+        assert_eq!(names(""), "shell_width shell fabricate shell left");
     }
 }
