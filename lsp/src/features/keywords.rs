@@ -15,17 +15,21 @@ const WORDS: &[(&str, &str)] = &[
     ("boundary", "Names an ifs on the end or the side of this one: `boundary start = point on (a)`."),
     ("by", "The second side of a size: `2500mm by 1250mm`."),
     ("each", "With `until`: every branch stops on its own as soon as it is small enough."),
+    ("else", "The value where the condition is not true: `if a < b then a else b`."),
     ("fabricate", "Makes boards out of a figure, with what they are cut from and what is required of them."),
+    ("false", "What a condition is that does not hold."),
     ("figure", "An ifs at a level, on points: what is drawn, and made of boards. An output of the design."),
     ("fn", "A function: `fn arch(i: Int) -> Length = i * 1m`."),
     ("for", "A list of what is made of each: `[i * 1m for i in 0..5]`."),
     ("germ", "What an ifs draws at the last level in the place of its smaller copies."),
     ("if", "One of two values: `if a < b then a else b`; behind `for` only those that it is true of."),
     ("ifs", "An iterated function system: a figure made of smaller copies of itself."),
+    ("in", "What a number runs through or lies between; in the head of an ifs, where it lives: `in plane`."),
     ("join", "States that two boundaries of the pieces are the same; the compiler proves it."),
     ("keep", "What an ifs draws at every level on the way, not only at the last."),
     ("let", "A name for a value."),
     ("level", "How many times an ifs is taken apart into its transforms."),
+    ("not", "True where what follows is not."),
     ("on", "The points that an ifs is placed on, or in its head the control points that it has."),
     ("or", "One of both is true; the second is not worked out where the first is."),
     ("param", "A number of the design that can be set from outside, with its range and step."),
@@ -35,7 +39,9 @@ const WORDS: &[(&str, &str)] = &[
     ("self", "The ifs around, with its own arguments."),
     ("step", "The step between the values that a parameter can have."),
     ("test", "What is stated of the design; `ifs test` runs it."),
+    ("then", "The value where the condition is true: `if a < b then a else b`."),
     ("transform", "A smaller copy: the ifs that it continues with, and where."),
+    ("true", "What a condition is that holds."),
     ("until", "A level by size: the first at which every element is so small."),
     ("use", "Takes names from a module of the library or from another file."),
 ];
@@ -54,7 +60,7 @@ pub(super) fn keyword(analysis: &Analysis, file: FileId, offset: u32) -> Option<
 
 #[cfg(test)]
 mod tests {
-    use super::WORDS;
+    use super::{TokenKind, WORDS};
     use crate::features::fixture::fixture;
     use crate::features::hover::hover;
 
@@ -66,6 +72,10 @@ mod tests {
 
     #[test]
     fn words_are_told_and_names_stay_names() {
+        let without = TokenKind::keywords().filter_map(TokenKind::text);
+        let without: Vec<&str> =
+            without.filter(|word| !WORDS.iter().any(|(known, _)| known == word)).collect();
+        assert!(without.is_empty(), "nothing is said of {without:?}");
         assert!(WORDS.windows(2).all(|pair| pair[0].0 < pair[1].0), "in the order of the alphabet");
         assert!(shown("fi$0gure f = g").contains("An output of the design"));
         assert!(shown("figure f = g at le$0vel 3").contains("taken apart"), "in a text that is wrong too");
