@@ -5,7 +5,7 @@ use ifs_compiler::source::Span;
 use tower_lsp::ls_types::*;
 
 use super::completions::paths;
-use super::neighbours::{imports, read_with};
+use super::neighbours::{imports, read_with, siblings};
 use crate::features::fixes::{self, Mend};
 use crate::features::refactor::{self, Refactoring};
 use crate::protocol::capabilities::FIX_ALL;
@@ -24,6 +24,7 @@ pub(super) fn actions(snapshot: &Snapshot, range: Range, context: &CodeActionCon
             let told = diagnostic(&snapshot.places, &snapshot.analysis, found_here, snapshot.encoding);
             let mut mends = fixes::mends(&snapshot.analysis, found_here);
             mends.extend(imports(snapshot, found_here));
+            mends.extend(siblings(snapshot, found_here));
             mends.extend(fixes::nearest(&snapshot.analysis, found_here, &paths(snapshot)));
             found.extend(mends.into_iter().filter_map(|mend| quick_fix(snapshot, mend, &told)));
         }

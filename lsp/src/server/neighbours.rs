@@ -40,6 +40,17 @@ pub(super) fn imports(snapshot: &Snapshot, found: &Diagnostic) -> Vec<Mend> {
     mends.filter(|mend| helps(snapshot, found, &mend.edits)).collect()
 }
 
+/// The ifs of the library that take as many points as are given.
+pub(super) fn siblings(snapshot: &Snapshot, found: &Diagnostic) -> Vec<Mend> {
+    let mends = fixes::siblings(&snapshot.analysis, found);
+    let mut fitting: Vec<Mend> =
+        mends.into_iter().filter(|mend| helps(snapshot, found, &mend.edits)).collect();
+    if let [only] = fitting.as_mut_slice() {
+        only.preferred = true;
+    }
+    fitting
+}
+
 /// Whether a file offers a name to others.
 fn offers(text: &str, name: &str) -> bool {
     let parsed = parse(&Source::new(FileId(0), "", text));

@@ -103,6 +103,14 @@ fn names_of_other_files_are_imported() {
         [],
         "files would use each other"
     );
+    // Three points for a curve that takes four: of its siblings the one that takes three.
+    let text =
+        "use std.curves (bezier3)\nfigure a = bezier3 on «((0m, 0m), (3m, 4m), (6m, 0m))» at level 3\n";
+    client.change(&design, 90, json!([{ "text": text.replace(['«', '»'], "") }]));
+    let found = actions(&mut client, &design, text, &everything());
+    let titles: Vec<&str> = found.iter().map(|(title, _)| title.as_str()).collect();
+    assert_eq!(titles, ["place `bezier2` there instead of `bezier3`"]);
+    assert!(found[0].1.starts_with("use std.curves (bezier3, bezier2)\nfigure a = bezier2 on"), "{found:?}");
     // A path that leads nowhere, and the file that was meant.
     let text = "use «\"./parts/rips.ifs\"» (purlin)\nlet b = purlin\n";
     client.change(&design, 100, json!([{ "text": text.replace(['«', '»'], "") }]));

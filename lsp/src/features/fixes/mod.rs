@@ -15,6 +15,7 @@ mod limits;
 mod names;
 mod paths;
 mod rounded;
+mod sibling;
 mod swapped;
 mod tokens;
 mod tree;
@@ -27,6 +28,7 @@ use ifs_compiler::source::{Source, Span};
 pub(crate) use dropped::organized;
 pub(crate) use imported::{imported, missing};
 pub(crate) use paths::nearest;
+pub(crate) use sibling::siblings;
 pub(super) use tree::expression_at;
 
 /// A change that can be offered.
