@@ -4,6 +4,7 @@
 
 use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
@@ -20,10 +21,30 @@ pub const MAX_BITS: u64 = 4096;
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(pub(super) Form);
 
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(Clone, Eq)]
 pub(super) enum Form {
     Small(Ratio<i128>),
     Big(Box<BigRational>),
+}
+
+// In lowest terms equal fractions have equal parts; that of the library divides them step by step, since it cannot know.
+impl PartialEq for Form {
+    fn eq(&self, other: &Form) -> bool {
+        match (self, other) {
+            (Form::Small(a), Form::Small(b)) => a.numer() == b.numer() && a.denom() == b.denom(),
+            (Form::Big(a), Form::Big(b)) => a.numer() == b.numer() && a.denom() == b.denom(),
+            _ => false,
+        }
+    }
+}
+
+impl Hash for Form {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Form::Small(ratio) => (ratio.numer(), ratio.denom()).hash(state),
+            Form::Big(ratio) => (ratio.numer(), ratio.denom()).hash(state),
+        }
+    }
 }
 
 impl Rational {
