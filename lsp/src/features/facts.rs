@@ -1,23 +1,43 @@
-//! What a worked-out design knows of a name: values of parameters, counts, levels, sizes and planarity of figures,
-//! contraction of an ifs, matrices of transforms. In words, as Markdown.
+//! What a worked-out design knows of a name: values of parameters, counts, levels, sizes and planarity of figures. In words,
+//! as Markdown. Of an ifs and its transforms speaks `states`.
 
 use ifs_compiler::analysis::{Analysis, Elements, value_words};
 use ifs_compiler::geometry::MeshSummary;
-use ifs_compiler::hir::dimension::Dimension;
-use ifs_compiler::hir::evaluate::quantity_words_to;
+use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::hir::schema::Measure;
-use ifs_compiler::ifs::{Automaton, Contraction, Matrix, StateId, contraction, difference_norm};
+use ifs_compiler::hir::tree::{ItemId, ItemKind};
 use ifs_compiler::outputs::parameter_texts;
 
-/// The most numbers of a matrix that is shown.
-const MOST_ENTRIES: usize = 64;
+use super::states;
+
+/// A design as it was worked out, and what it is worked out with.
+#[derive(Clone, Copy)]
+pub(crate) struct WorkedOut<'a> {
+    /// The last time that it had no errors.
+    pub(crate) made: Option<&'a Analysis>,
+    /// Whether that is of the text as it is now.
+    pub(crate) current: bool,
+    /// What is set from outside.
+    pub(crate) overrides: &'a Overrides,
+}
+
+impl WorkedOut<'_> {
+    /// These words, with a line before them where they are of a text that has changed since.
+    pub(super) fn dated(self, words: String) -> String {
+        if self.current { words } else { format!("*before the last changes:*\n\n{words}") }
+    }
+}
 
 /// What was made of a parameter, a figure or an ifs.
-pub(super) fn of_item(made: &Analysis, name: &str) -> Option<String> {
-    if let Some((_, value)) = parameter_texts(made).into_iter().find(|(parameter, _)| parameter == name) {
-        return Some(format!("value `{value}`"));
+pub(super) fn of_item(analysis: &Analysis, known: WorkedOut<'_>, id: ItemId) -> Option<String> {
+    let item = analysis.hir.item(id);
+    if let ItemKind::Ifs(_) = item.kind {
+        return states::of_ifs(analysis, known, id);
     }
-    of_figure(made, name).or_else(|| of_ifs(made, name))
+    let made = known.made?;
+    let value = parameter_texts(made).into_iter().find(|(parameter, _)| *parameter == item.name);
+    let value = value.map(|(_, value)| format!("value `{value}`"));
+    Some(known.dated(value.or_else(|| of_figure(made, &item.name))?))
 }
 
 fn of_figure(made: &Analysis, name: &str) -> Option<String> {
@@ -62,86 +82,6 @@ fn surface(summary: &MeshSummary) -> String {
     text
 }
 
-/// The states of an ifs: one for each set of arguments that the design has of it.
-fn states<'a>(automaton: &'a Automaton, name: &'a str) -> impl Iterator<Item = StateId> + 'a {
-    let states = automaton.states().iter().enumerate();
-    states
-        .filter(move |(_, state)| state.name.split('(').next() == Some(name))
-        .map(|(place, _)| StateId(place as u32))
-}
-
-fn of_ifs(made: &Analysis, name: &str) -> Option<String> {
-    let automaton = made.plan.as_ref()?.plan.automaton();
-    let lines: Vec<String> = states(automaton, name)
-        .take(4)
-        .map(|id| format!("`{}`: {}", automaton.state(id).name, contracts(automaton, id)))
-        .collect();
-    (!lines.is_empty()).then(|| lines.join("\n\n"))
-}
-
-fn contracts(automaton: &Automaton, id: StateId) -> String {
-    let number = |value: f64| quantity_words_to(value, Dimension::NUMBER, 4);
-    match contraction(automaton, id) {
-        Contraction::Proved { length: 1, bound, .. } => {
-            format!("contracts, by {} at most in each step", number(bound))
-        }
-        Contraction::Proved { length, bound, .. } => {
-            format!("contracts, by {} at most in {length} steps", number(bound))
-        }
-        Contraction::Refuted { word } => format!("does not contract along `{}`", word.display(automaton)),
-        Contraction::Open { length, bound } => {
-            format!("contraction not proved: {length} steps come to {}", number(bound))
-        }
-    }
-}
-
-/// Where a transform goes and its matrix, for each set of arguments that the design has of its ifs.
-pub(super) fn of_transform(made: &Analysis, ifs: &str, name: &str) -> Option<String> {
-    let automaton = made.plan.as_ref()?.plan.automaton();
-    let id = states(automaton, ifs).next()?;
-    let own = |letter: &str| {
-        letter == name || letter.strip_prefix(name).is_some_and(|rest| rest.starts_with(['.', '[']))
-    };
-    let transforms = automaton.state(id).transforms.iter().filter(|transform| own(&transform.name));
-    let parts: Vec<String> = transforms
-        .take(3)
-        .map(|transform| {
-            let target = &automaton.state(transform.target).name;
-            let matrix =
-                matrix(&transform.matrix).map_or_else(String::new, |text| format!("\n```text\n{text}\n```"));
-            let factor = quantity_words_to(difference_norm(transform).to_f64(), Dimension::NUMBER, 4);
-            format!(
-                "`{}` continues in `{target}`; in one step differences are at most {factor} as large{matrix}",
-                transform.name
-            )
-        })
-        .collect();
-    if parts.is_empty() {
-        return None;
-    }
-    Some(format!("{}\n\n`{}` {}", parts.join("\n\n"), automaton.state(id).name, contracts(automaton, id)))
-}
-
-/// The rows of a matrix, exact where that is short.
-fn matrix(matrix: &Matrix) -> Option<String> {
-    if matrix.entries().len() > MOST_ENTRIES {
-        return None;
-    }
-    let texts: Vec<String> = matrix
-        .entries()
-        .iter()
-        .map(|entry| {
-            let exact = entry.to_string();
-            if exact.len() <= 8 { exact } else { quantity_words_to(entry.to_f64(), Dimension::NUMBER, 6) }
-        })
-        .collect();
-    let width = texts.iter().map(String::len).max().unwrap_or(0);
-    let rows = texts
-        .chunks(matrix.columns().max(1))
-        .map(|row| row.iter().map(|text| format!("{text:>width$}")).collect::<Vec<_>>().join("  "));
-    Some(rows.collect::<Vec<_>>().join("\n"))
-}
-
 #[cfg(test)]
 mod tests {
     use crate::features::fixture::fixture;
@@ -150,32 +90,26 @@ mod tests {
     fn shown(text: &str) -> String {
         let design = fixture(text);
         let made = design.made();
-        hover(&design.analysis, Some(&made), design.analysis.root, design.at)
+        hover(&design.analysis, design.known(Some(&made)), design.analysis.root, design.at)
             .map_or(String::new(), |found| found.markdown)
     }
 
     #[test]
     fn what_was_made_of_a_name() {
-        let curve = "ifs halves on (a, b) {\n    let m = lerp(a, b, 1/4)\n    transform le$0ft = self on (a, m)\n    transform right = self on (m, b)\n    germ segment(a, b)\n}\nfigure line = halves on ((0m, 0m), (4m, 2m)) at level 3\n";
+        let curve = "ifs halves on (a, b) {\n    let m = lerp(a, b, 1/4)\n    transform left = self on (a, m)\n    transform right = self on (m, b)\n    germ segment(a, b)\n}\nfigure li$0ne = halves on ((0m, 0m), (4m, 2m)) at level 3\n";
         let text = shown(curve);
-        for part in [
-            "transform of `halves`",
-            "continues in `halves`; in one step differences are at most 0.25 as large",
-            "  1    0\n3/4  1/4",
-            "contracts, by 0.75 at most in each step",
-        ] {
-            assert!(text.contains(part), "no {part:?} in\n{text}");
-        }
-        let text = shown(&curve.replace("$0", "").replace("figure line", "figure li$0ne"));
         assert!(text.contains("8 elements, 9 vertices at level 3"), "{text}");
-        let text = shown(&curve.replace("$0", "").replace("ifs halves", "ifs hal$0ves"));
-        assert!(text.contains("`halves`: contracts, by 0.75"), "{text}");
-        let text = shown(
-            "param width: Length = 2$0m in 1m .. 3m\n"
-                .replace("2$0m", "2m")
-                .replace("param w", "param w$0")
-                .as_str(),
-        );
-        assert!(text.contains("value `2000mm`") || text.contains("value `2m`"), "{text}");
+        let text = shown("param w$0idth: Length = 2m in 1m .. 3m\n");
+        assert!(text.contains("value `2000mm`"), "{text}");
+    }
+
+    #[test]
+    fn what_was_made_before_a_change_is_told_as_that() {
+        let design = fixture("param w$0idth: Length = 2m in 1m .. 3m\n");
+        let made = design.made();
+        let mut known = design.known(Some(&made));
+        known.current = false;
+        let text = hover(&design.analysis, known, design.analysis.root, design.at).unwrap().markdown;
+        assert!(text.ends_with("*before the last changes:*\n\nvalue `2000mm`"), "{text}");
     }
 }

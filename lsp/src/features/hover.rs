@@ -11,8 +11,9 @@ use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
 
 use super::boards::board;
-use super::facts;
+use super::facts::{self, WorkedOut};
 use super::keywords::keyword;
+use super::states;
 use super::words::one_spaced;
 
 /// Words on a place, as Markdown.
@@ -22,20 +23,20 @@ pub(crate) struct Hover {
     pub(crate) markdown: String,
 }
 
-/// What stands at a place; `made` is the design as it was last worked out.
+/// What stands at a place.
 pub(crate) fn hover(
     analysis: &Analysis,
-    made: Option<&Analysis>,
+    known: WorkedOut<'_>,
     file: FileId,
     offset: u32,
 ) -> Option<Hover> {
     if let Some(name) = analysis.index.name_at(file, offset)
-        && let Some(markdown) = target(analysis, made, name.target)
+        && let Some(markdown) = target(analysis, known, name.target)
     {
         return Some(Hover { span: name.span, markdown });
     }
-    if let Some((span, markdown)) = made.and_then(|made| board(analysis, made, file, offset)) {
-        return Some(Hover { span, markdown });
+    if let Some((span, markdown)) = known.made.and_then(|made| board(analysis, made, file, offset)) {
+        return Some(Hover { span, markdown: known.dated(markdown) });
     }
     if let Some((span, markdown)) = keyword(analysis, file, offset) {
         return Some(Hover { span, markdown });
@@ -44,9 +45,9 @@ pub(crate) fn hover(
     Some(Hover { span, markdown: code(&type_name(&analysis.hir.items, ty)) })
 }
 
-fn target(analysis: &Analysis, made: Option<&Analysis>, target: Target) -> Option<String> {
+fn target(analysis: &Analysis, known: WorkedOut<'_>, target: Target) -> Option<String> {
     match target {
-        Target::Declared(span) => declared(analysis, made, analysis.index.declaration(span)?),
+        Target::Declared(span) => declared(analysis, known, analysis.index.declaration(span)?),
         Target::Module(file) => module(analysis, file),
         Target::Native(native) => Some(documented(&native_item_docs(native.declaration()))),
         Target::NativeParameter(native, place) => {
@@ -76,7 +77,7 @@ fn documented(docs: &ItemDocs) -> String {
     }
 }
 
-fn declared(analysis: &Analysis, made: Option<&Analysis>, declaration: &Declaration) -> Option<String> {
+fn declared(analysis: &Analysis, known: WorkedOut<'_>, declaration: &Declaration) -> Option<String> {
     let typed = |word: &str| {
         let ty = match declaration.ty {
             Type::Error => String::new(),
@@ -85,7 +86,7 @@ fn declared(analysis: &Analysis, made: Option<&Analysis>, declaration: &Declarat
         code(format!("{word} {}{ty}", declaration.name).trim_start())
     };
     Some(match declaration.kind {
-        DeclarationKind::Item(id) => item(analysis, made, declaration, id)?,
+        DeclarationKind::Item(id) => item(analysis, known, declaration, id)?,
         DeclarationKind::Field(owner, place) => {
             let mut text = typed("");
             let owner_item = analysis.hir.item(owner);
@@ -102,7 +103,7 @@ fn declared(analysis: &Analysis, made: Option<&Analysis>, declaration: &Declarat
         DeclarationKind::Transform(owner) => {
             let ifs = &analysis.hir.item(owner).name;
             let mut text = format!("{}\ntransform of `{ifs}`", code(&line_of(analysis, declaration.span)));
-            if let Some(facts) = made.and_then(|made| facts::of_transform(made, ifs, &declaration.name)) {
+            if let Some(facts) = states::of_transform(analysis, known, owner, &declaration.name) {
                 text += &format!("\n\n---\n{facts}");
             }
             text
@@ -128,7 +129,7 @@ fn line_of(analysis: &Analysis, span: Span) -> String {
 
 fn item(
     analysis: &Analysis,
-    made: Option<&Analysis>,
+    known: WorkedOut<'_>,
     declaration: &Declaration,
     id: ItemId,
 ) -> Option<String> {
@@ -143,7 +144,7 @@ fn item(
         docs.signature += &format!(": {}", type_name(&analysis.hir.items, &declaration.ty));
     }
     let mut text = documented(&docs);
-    if let Some(facts) = made.and_then(|made| facts::of_item(made, &declaration.name)) {
+    if let Some(facts) = facts::of_item(analysis, known, id) {
         text += &format!("\n\n---\n{facts}");
     }
     Some(text)

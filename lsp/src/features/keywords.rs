@@ -66,7 +66,7 @@ mod tests {
 
     fn shown(text: &str) -> String {
         let design = fixture(text);
-        let found = hover(&design.analysis, None, design.analysis.root, design.at);
+        let found = hover(&design.analysis, design.known(None), design.analysis.root, design.at);
         found.map_or(String::new(), |found| found.markdown)
     }
 

@@ -5,7 +5,7 @@ mod boards;
 pub(crate) mod calls;
 pub(crate) mod completion;
 pub(crate) mod definition;
-mod facts;
+pub(crate) mod facts;
 pub(crate) mod fixes;
 #[cfg(test)]
 mod fixture;
@@ -25,6 +25,7 @@ pub(crate) mod search;
 pub(crate) mod selection;
 pub(crate) mod semantics;
 pub(crate) mod signature;
+mod states;
 mod supplement;
 pub(crate) mod symbols;
 mod tokens;

@@ -10,6 +10,7 @@ use ifs_compiler::analysis::read_indexed;
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::{MemoryFiles, Span};
 
+use super::facts::WorkedOut;
 use super::*;
 
 /// A generator of numbers that are the same each time (xorshift, Marsaglia 2003).
@@ -61,7 +62,8 @@ fn ask(text: &str, at: u32) {
     assert_eq!(selected.last(), Some(&whole));
     assert!(folding::folding(&analysis, root).iter().all(|(from, to, _)| from < to));
     lens::lenses(&analysis, None, root);
-    hover::hover(&analysis, None, root, at);
+    let known = WorkedOut { made: None, current: false, overrides: &Overrides::default() };
+    hover::hover(&analysis, known, root, at);
     definition::definition(&analysis, root, at);
     references::references(&analysis, root, at);
     format::part_edits(&analysis, Span::new(root, at, at));

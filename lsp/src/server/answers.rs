@@ -8,6 +8,7 @@ use ifs_compiler::hir::index::{DeclarationKind, Target};
 use ifs_compiler::source::Span;
 use tower_lsp::ls_types::*;
 
+use crate::features::facts::WorkedOut;
 use crate::features::{definition, format, hover, links, references, rename, symbols};
 use crate::protocol::convert::range;
 use crate::world::Snapshot;
@@ -15,8 +16,12 @@ use crate::world::overlay::Overlay;
 use crate::world::places::Places;
 
 pub(super) fn hover(snapshot: &Snapshot, position: Position) -> Option<Hover> {
-    let made = snapshot.made.as_ref().map(|made| &*made.analysis);
-    let found = hover::hover(&snapshot.analysis, made, snapshot.analysis.root, snapshot.offset(position))?;
+    let known = WorkedOut {
+        made: snapshot.made.as_ref().map(|made| &*made.analysis),
+        current: snapshot.made.as_ref().is_some_and(|made| made.current),
+        overrides: &snapshot.overrides,
+    };
+    let found = hover::hover(&snapshot.analysis, known, snapshot.analysis.root, snapshot.offset(position))?;
     Some(Hover {
         contents: HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value: found.markdown }),
         range: Some(snapshot.range(found.span)),

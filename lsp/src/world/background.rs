@@ -28,7 +28,7 @@ const REST_PER_KIB: Duration = Duration::from_millis(1);
 #[derive(Debug)]
 pub(crate) struct Job {
     pub(crate) read: Arc<Analysis>,
-    pub(crate) overrides: Overrides,
+    pub(crate) overrides: Arc<Overrides>,
     /// The revision of the world it was taken from.
     pub(crate) revision: u64,
 }

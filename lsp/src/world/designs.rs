@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ifs_compiler::analysis::{Analysis, read_indexed};
 use ifs_compiler::diagnostic::Diagnostic;
+use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::FileId;
 
 use super::background::{Background, Job, Worked};
@@ -27,6 +28,7 @@ use super::worst::with_worst_boards;
 pub(super) struct Design {
     pub(super) places: Places,
     pub(super) analysis: Arc<Analysis>,
+    pub(super) overrides: Arc<Overrides>,
     /// The revision it was read at; none when something it is made of has changed since.
     read_at: Option<u64>,
     /// Whether its own text is still the one that was read.
@@ -178,13 +180,16 @@ impl Designs {
     ) {
         let analysis = Arc::new(analysis);
         let Project { root, overrides, .. } = overlay.project;
+        let overrides = Arc::new(overrides);
         if !analysis.has_errors() && !is_project_file(path) {
-            self.background.ask(path.to_owned(), Job { read: Arc::clone(&analysis), overrides, revision });
+            let (read, overrides) = (Arc::clone(&analysis), Arc::clone(&overrides));
+            self.background.ask(path.to_owned(), Job { read, overrides, revision });
         }
         let (made, worked) = before.map_or((None, Vec::new()), |before| before.kept(&analysis));
         let design = Design {
             places: Places { root, projects: Arc::clone(&self.projects), names: self.names.clone() },
             analysis,
+            overrides,
             read_at: Some(revision),
             fresh: Arc::new(AtomicBool::new(true)),
             made,

@@ -236,6 +236,7 @@ impl Owner {
             Some(Snapshot {
                 path: path.to_owned(),
                 analysis: Arc::clone(&design.analysis),
+                overrides: Arc::clone(&design.overrides),
                 made: design.made.clone(),
                 diagnostics: Arc::new(design.diagnostics()),
                 places: design.places.clone(),

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::Diagnostic;
+use ifs_compiler::hir::evaluate::Overrides;
 
 use super::documents::Encoding;
 use super::overlay::Open;
@@ -18,6 +19,8 @@ pub(crate) struct Snapshot {
     pub(crate) path: PathBuf,
     /// Read with its index; its own file is the root.
     pub(crate) analysis: Arc<Analysis>,
+    /// What is set from outside.
+    pub(crate) overrides: Arc<Overrides>,
     /// The last that was worked out without errors.
     pub(crate) made: Option<Made>,
     /// What is wrong with it and worked out so far.

@@ -66,9 +66,9 @@ pub struct InstanceTransform {
 }
 
 /// The parts of an ifs while some of its weights may be functions of its parameters.
-struct Parts {
+pub(super) struct Parts {
     points: Vec<String>,
-    pieces: Vec<Piece>,
+    pub(super) pieces: Vec<Piece>,
     germ: Drawn,
     keep: Vec<Drawn>,
     boundaries: Vec<(Instance, Vec<Vec<Scalar>>)>,
@@ -92,12 +92,10 @@ impl Evaluator<'_> {
         let mut transforms = Vec::new();
         for piece in parts.pieces {
             let transform = &ifs.transforms[piece.transform];
+            let name = piece.name(ifs);
             let rows: Outcome<Vec<Row>> = piece.rows.into_iter().map(exact).collect();
             transforms.push(InstanceTransform {
-                name: match piece.member {
-                    Some(member) => format!("{}.{member}", transform.name),
-                    None => transform.name.clone(),
-                },
+                name,
                 name_span: transform.name_span,
                 points_span: transform.image.span(),
                 target: piece.target,
@@ -124,21 +122,7 @@ impl Evaluator<'_> {
         })
     }
 
-    /// Checks the weights of an ifs for all values of its parameters, as rational functions of them.
-    ///
-    /// What depends on more than arithmetic (a condition, a count) is left to each instance.
-    pub fn check_symbolically(&mut self, id: crate::hir::tree::ItemId) {
-        let hir = self.hir;
-        let ItemKind::Ifs(ifs) = &hir.item(id).kind else { return };
-        self.atoms.clear();
-        let Ok(arguments) = self.symbolic_arguments(ifs) else { return };
-        // Whatever it finds is reported; what it cannot know here is found at each instance.
-        self.begin_symbolic();
-        let _ = self.parts(&Instance { ifs: id, arguments }, ifs);
-        self.end_symbolic();
-    }
-
-    fn parts(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Parts> {
+    pub(super) fn parts(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Parts> {
         if self.broken.contains(&instance.ifs) {
             return Err(Stop::Reported);
         }

@@ -33,6 +33,7 @@ pub use expression::{quantity_words, quantity_words_to, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
 pub use limits::Limits;
 pub use overrides::{MachineName, OverrideError, Overrides, ParameterValue, read_value};
+pub use symbolic::SymbolicTransform;
 pub use test::MadeValues;
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};

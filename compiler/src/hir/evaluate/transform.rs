@@ -29,6 +29,17 @@ pub(super) struct Piece {
     pub(super) rows: Vec<Vec<Scalar>>,
 }
 
+impl Piece {
+    /// The name of the transform, with the index of a member.
+    pub(super) fn name(&self, ifs: &Ifs) -> String {
+        let name = &ifs.transforms[self.transform].name;
+        match self.member {
+            Some(member) => format!("{name}.{member}"),
+            None => name.clone(),
+        }
+    }
+}
+
 impl Evaluator<'_> {
     /// All transforms with the members of families, and why some are missing.
     pub(super) fn pieces(&mut self, frame: &mut Frame, ifs: &Ifs) -> (Vec<Piece>, Option<Stop>) {

@@ -1,6 +1,7 @@
 //! From the values of a design to its plan: states, matrices, figures, with a diagnostic at the line of whatever cannot
 //! be planned.
 
+mod alone;
 mod joins;
 mod patchwork;
 mod places;
@@ -21,6 +22,8 @@ use crate::hir::tree::{Hir, ItemId, ItemKind};
 use crate::hir::value::{self, Value};
 use crate::source::Span;
 use states::States;
+
+pub use alone::alone;
 
 /// Where a figure of the plan comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
