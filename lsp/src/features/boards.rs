@@ -193,7 +193,8 @@ mod tests {
     fn shown(text: &str) -> Option<String> {
         let design = fixture(text);
         let made = design.made();
-        hover(&design.analysis, design.known(Some(&made)), design.analysis.root, design.at).map(|found| found.markdown)
+        hover(&design.analysis, design.known(Some(&made)), design.analysis.root, design.at)
+            .map(|found| found.markdown)
     }
 
     const SHELL: &str = "use std.curves (bspline2)\nuse std.surfaces (sheet)\nuse std.materials (birch_plywood)\nlet net = [[(i * 1m, j * 1m, 10mm * i * j) for j in 0..4] for i in 0..4]\nfigure shell = sheet(bspline2, bspline2, net) at level 1\nfabricate shell as panels {\n    material: birch_plywood(12mm)\n    board: 2500mm by 1250mm\n}\n";

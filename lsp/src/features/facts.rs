@@ -1,14 +1,13 @@
 //! What a worked-out design knows of a name: values of parameters, counts, levels, sizes and planarity of figures. In words,
 //! as Markdown. Of an ifs and its transforms speaks `states`.
 
-use ifs_compiler::analysis::{Analysis, Elements, value_words};
-use ifs_compiler::geometry::MeshSummary;
+use ifs_compiler::analysis::{Analysis, Elements};
 use ifs_compiler::hir::evaluate::Overrides;
-use ifs_compiler::hir::schema::Measure;
 use ifs_compiler::hir::tree::{ItemId, ItemKind};
 use ifs_compiler::outputs::parameter_texts;
+use ifs_compiler::plan::size::SizeRange;
 
-use super::states;
+use super::{sizes, states};
 
 /// A design as it was worked out, and what it is worked out with.
 #[derive(Clone, Copy)]
@@ -54,32 +53,27 @@ fn of_figure(made: &Analysis, name: &str) -> Option<String> {
     if figures.iter().all(|(figure, _)| figure.shape.planar_by_construction()) {
         text += ", planar by construction";
     }
+    if let Some(sizes) = sizes::of_figures(lowered, name) {
+        text += &format!("\n\n{sizes}");
+    }
     for fabrication in made.fabrications.iter().filter(|fabrication| fabrication.figure == name) {
-        match &fabrication.elements {
-            Elements::Panels(panels) => {
-                text += &format!("\n\n{} boards", panels.panels.len());
-                for figure in &panels.figures {
-                    text += &surface(&MeshSummary::of(&figure.built));
-                }
+        text += "\n\n";
+        text += &match &fabrication.elements {
+            Elements::Panels(made) => {
+                let built = made.figures.iter().map(|figure| &figure.built);
+                format!("{} boards{}", made.panels.len(), sizes::of_surfaces(built))
             }
-            Elements::Planks(planks) => text += &format!("\n\n{} planks", planks.planks.len()),
-        }
+            Elements::Planks(made) => {
+                let lengths = made.planks.iter().map(|plank| SizeRange::one(plank.length));
+                let lengths = lengths.reduce(SizeRange::with);
+                let words = lengths.map_or_else(String::new, |SizeRange { least, most }| {
+                    format!(", {} long", sizes::range(least, most))
+                });
+                format!("{} planks{words}", made.planks.len())
+            }
+        };
     }
     Some(text)
-}
-
-/// Planarity and edges of a surface as it is built.
-fn surface(summary: &MeshSummary) -> String {
-    let mut text = String::new();
-    if let (Some(worst), Some(mean)) = (summary.worst, summary.mean) {
-        let words = |value| value_words(Measure::Planarity, value);
-        text += &format!(", planarity {} at worst and {} in the mean", words(worst.value), words(mean));
-    }
-    if let (Some(shortest), Some(longest)) = (summary.shortest_edge, summary.longest_edge) {
-        let words = |value| value_words(Measure::Edge, value);
-        text += &format!(", edges {} .. {}", words(shortest.value), words(longest.value));
-    }
-    text
 }
 
 #[cfg(test)]
@@ -98,7 +92,8 @@ mod tests {
     fn what_was_made_of_a_name() {
         let curve = "ifs halves on (a, b) {\n    let m = lerp(a, b, 1/4)\n    transform left = self on (a, m)\n    transform right = self on (m, b)\n    germ segment(a, b)\n}\nfigure li$0ne = halves on ((0m, 0m), (4m, 2m)) at level 3\n";
         let text = shown(curve);
-        assert!(text.contains("8 elements, 9 vertices at level 3"), "{text}");
+        let parts = "8 elements, 9 vertices at level 3\n\n4000mm by 2000mm by 0mm, segments 69.9mm .. 1886.7mm, 4472.1mm in all";
+        assert!(text.contains(parts), "{text}");
         let text = shown("param w$0idth: Length = 2m in 1m .. 3m\n");
         assert!(text.contains("value `2000mm`"), "{text}");
     }

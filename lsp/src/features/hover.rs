@@ -24,12 +24,7 @@ pub(crate) struct Hover {
 }
 
 /// What stands at a place.
-pub(crate) fn hover(
-    analysis: &Analysis,
-    known: WorkedOut<'_>,
-    file: FileId,
-    offset: u32,
-) -> Option<Hover> {
+pub(crate) fn hover(analysis: &Analysis, known: WorkedOut<'_>, file: FileId, offset: u32) -> Option<Hover> {
     if let Some(name) = analysis.index.name_at(file, offset)
         && let Some(markdown) = target(analysis, known, name.target)
     {
@@ -127,12 +122,7 @@ fn line_of(analysis: &Analysis, span: Span) -> String {
     one_spaced(source.slice(Span::new(span.file, start, end)).trim())
 }
 
-fn item(
-    analysis: &Analysis,
-    known: WorkedOut<'_>,
-    declaration: &Declaration,
-    id: ItemId,
-) -> Option<String> {
+fn item(analysis: &Analysis, known: WorkedOut<'_>, declaration: &Declaration, id: ItemId) -> Option<String> {
     let docs = ast_item(analysis, declaration).unwrap_or_else(|| ItemDocs {
         name: declaration.name.clone(),
         signature: declaration.name.clone(),

@@ -25,6 +25,7 @@ pub(crate) mod search;
 pub(crate) mod selection;
 pub(crate) mod semantics;
 pub(crate) mod signature;
+mod sizes;
 mod states;
 mod supplement;
 pub(crate) mod symbols;

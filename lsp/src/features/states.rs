@@ -125,12 +125,7 @@ fn in_state(states: &States<'_>, name: &str) -> Option<String> {
 }
 
 /// A transform whose matrix is told in the parameters of its ifs.
-fn for_all_parameters(
-    analysis: &Analysis,
-    known: WorkedOut<'_>,
-    ifs: ItemId,
-    name: &str,
-) -> Option<String> {
+fn for_all_parameters(analysis: &Analysis, known: WorkedOut<'_>, ifs: ItemId, name: &str) -> Option<String> {
     let all = Evaluator::new(&analysis.hir, known.overrides).symbolic_transforms(ifs)?;
     let own = all.iter().filter(|transform| is_of(&transform.name, name));
     let parts = own.take(MOST_MEMBERS).map(|transform| {
