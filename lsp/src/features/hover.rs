@@ -13,8 +13,8 @@ use ifs_compiler::syntax::ast;
 use super::boards::board;
 use super::facts::{self, WorkedOut};
 use super::keywords::{built_in_type, keyword};
-use super::states;
 use super::words::one_spaced;
+use super::{states, sums};
 
 /// Words on a place, as Markdown.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,7 +94,14 @@ fn declared(analysis: &Analysis, known: WorkedOut<'_>, declaration: &Declaration
             text
         }
         DeclarationKind::ControlPoint => format!("{}\ncontrol point", typed("")),
-        DeclarationKind::Local => typed("let"),
+        DeclarationKind::Local => match sums::named(analysis, known.overrides, declaration.span) {
+            Some(sum) => {
+                let ty = type_name(&analysis.hir.items, sum.ty.as_ref().unwrap_or(&declaration.ty));
+                let declared = code(&format!("let {}: {ty}", declaration.name));
+                format!("{declared}\n---\nweights `{}`", sum.weights)
+            }
+            None => typed("let"),
+        },
         DeclarationKind::Running => typed("for"),
         DeclarationKind::Transform(owner) => {
             let ifs = &analysis.hir.item(owner).name;
