@@ -4,7 +4,7 @@ use super::polygon::segment_distance;
 use super::program::Step;
 use super::{Refusal, Steps};
 use crate::fabricate::machine::Clamp;
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 /// Checks all steps against all clamps of the machine.
 ///
@@ -15,34 +15,37 @@ pub(super) fn check(steps: &Steps) -> Result<(), Refusal> {
     if spec.clamps.is_empty() {
         return Ok(());
     }
-    let (mut at, mut radius) = (DVec3::ZERO, 0.0);
+    // Where the machine stands before its first moves is not known.
+    let (mut plane, mut height, mut radius): (Option<DVec2>, Option<f64>, f64) = (None, None, 0.0);
     for step in &steps.out {
-        let to = match step {
+        let (to, z) = match step {
             Step::LoadTool { number } => {
                 let tool = spec.tools.iter().find(|tool| tool.number == *number);
                 radius = tool.map_or(0.0, |tool| tool.diameter / 2.0);
                 continue;
             }
-            Step::RapidZ { z } => at.truncate().extend(*z),
-            Step::RapidXY { to } => to.extend(at.z),
-            Step::Line { to, .. } | Step::Arc { to, .. } => *to,
+            Step::RapidZ { z } => (plane, Some(*z)),
+            Step::RapidXY { to } => (Some(*to), height),
+            Step::Line { to, .. } | Step::Arc { to, .. } => (Some(to.truncate()), Some(to.z)),
             _ => continue,
         };
-        let bulge = if let Step::Arc { radius, .. } = step { arc_bulge(at, to, *radius) } else { 0.0 };
-        let low = at.z.min(to.z) - steps.top();
+        let before = (plane.or(to), height.or(z));
+        (plane, height) = (to, z);
+        let ((Some(from), Some(above)), (Some(to), Some(z))) = (before, (to, z)) else { continue };
+        let bulge = if let Step::Arc { radius, .. } = step { arc_bulge(from, to, *radius) } else { 0.0 };
+        let low = above.min(z) - steps.top();
         for (index, clamp) in spec.clamps.iter().enumerate() {
-            if low < clamp.height && distance(clamp, at.truncate(), to.truncate()) < radius + bulge {
+            if low < clamp.height && distance(clamp, from, to) < radius + bulge {
                 return Err(Refusal::Clamped { clamp: index, x: to.x, y: to.y });
             }
         }
-        at = to;
     }
     Ok(())
 }
 
 /// How far an arc of at most a half turn leaves its chord.
-fn arc_bulge(from: DVec3, to: DVec3, radius: f64) -> f64 {
-    let half = from.truncate().distance(to.truncate()) / 2.0;
+fn arc_bulge(from: DVec2, to: DVec2, radius: f64) -> f64 {
+    let half = from.distance(to) / 2.0;
     radius - (radius * radius - half * half).max(0.0).sqrt()
 }
 

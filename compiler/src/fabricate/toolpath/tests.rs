@@ -172,6 +172,17 @@ fn every_other_refusal_has_its_own_reason() {
 }
 
 #[test]
+fn a_clamp_over_the_corner_where_coordinates_begin_is_in_nobodys_way() {
+    let mut spec = router();
+    let clamp = |high| crate::fabricate::machine::Clamp { low: DVec2::ZERO, high, height: 10.0 };
+    spec.clamps = vec![clamp(DVec2::new(5.0, 5.0))];
+    assert!(program(&panel(), &Machine::try_new(spec.clone()).unwrap()).is_ok());
+    spec.clamps = vec![clamp(DVec2::new(60.0, 60.0))];
+    let refusal = program(&panel(), &Machine::try_new(spec).unwrap()).unwrap_err();
+    assert!(matches!(refusal, Refusal::Clamped { clamp: 0, .. }), "{refusal}");
+}
+
+#[test]
 fn a_contour_with_too_many_passes_is_refused() {
     let mut spec = router();
     spec.tools[0].max_step_down = 0.06;
