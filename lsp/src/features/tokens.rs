@@ -26,6 +26,8 @@ pub(crate) struct Before<'a> {
     pub(crate) next: Option<TokenKind>,
     /// Whether that stands on the line where the word ends.
     pub(crate) next_on_line: bool,
+    /// How many of the open brackets, innermost first, nothing behind the word closes.
+    unclosed: usize,
 }
 
 /// What the cursor is in.
@@ -69,11 +71,8 @@ fn before<'a>(text: &'a str, all: &[Token], count: usize, word: Span) -> Before<
     let mut tokens: Vec<Token> = Vec::new();
     let mut open: Vec<Open> = Vec::new();
     for (at, token) in all[..count].iter().enumerate().filter(|(_, token)| !token.kind.is_trivia()) {
-        let indented = !starts_line(text, token.span.start);
-        let begins = token.kind.is_item_keyword() && begins_item(text, all, at)
-            || token.kind == TokenKind::Let && (open.is_empty() || !indented);
         let public = tokens.len() == 1 && tokens[0].kind == TokenKind::Pub;
-        if begins && !public {
+        if begins(text, all, at, open.is_empty()) && !public {
             tokens.clear();
             open.clear();
         }
@@ -94,7 +93,43 @@ fn before<'a>(text: &'a str, all: &[Token], count: usize, word: Span) -> Before<
         text.get(word.end as usize..next.span.start as usize).is_some_and(|between| !between.contains('\n'))
     });
     let next = following.map(|token| token.kind);
-    Before { text, tokens, open, word, new_line, next, next_on_line }
+    let unclosed = unclosed(text, all, count, word.end, &open);
+    Before { text, tokens, open, word, new_line, next, next_on_line, unclosed }
+}
+
+/// Whether an item begins with a token; `outside` says that no bracket is open before it.
+fn begins(text: &str, all: &[Token], at: usize, outside: bool) -> bool {
+    let token = all[at];
+    token.kind.is_item_keyword() && begins_item(text, all, at)
+        || token.kind == TokenKind::Let && (outside || starts_line(text, token.span.start))
+}
+
+/// How many of the brackets that are open before `from`, innermost first, the rest of the item does not close before it
+/// closes one around them, or at all.
+fn unclosed(text: &str, all: &[Token], count: usize, from: u32, open: &[Open]) -> usize {
+    let mut inner: Vec<TokenKind> = Vec::new();
+    for (at, token) in all.iter().enumerate().skip(count) {
+        if token.kind.is_trivia() || token.span.start < from {
+            continue;
+        }
+        if begins(text, all, at, inner.is_empty() && open.is_empty()) {
+            break;
+        }
+        if token.kind.closer().is_some() {
+            inner.push(token.kind);
+        } else if token.kind.is_closer() {
+            let closes = |opened: TokenKind| opened.closer() == Some(token.kind);
+            match inner.iter().rposition(|opened| closes(*opened)) {
+                Some(place) => inner.truncate(place),
+                None => {
+                    if let Some(place) = open.iter().rposition(|opened| closes(opened.kind)) {
+                        return open.len() - 1 - place;
+                    }
+                }
+            }
+        }
+    }
+    open.len()
 }
 
 fn starts_line(text: &str, at: u32) -> bool {
@@ -159,15 +194,16 @@ impl Before<'_> {
         !label && (matches!(word, "by" | "and" | "or" | "not" | "step" | "level" | "as" | "each") || begins)
     }
 
-    /// The brackets that the item leaves open at the word, closed.
+    /// The brackets that the item leaves open at the word and does not close behind it, closed.
     fn closing(&self) -> String {
-        self.open.iter().rev().filter_map(|open| open.kind.closer()?.text()).collect()
+        let open = self.open.iter().rev().take(self.unclosed);
+        open.filter_map(|open| open.kind.closer()?.text()).collect()
     }
 
     /// What must stand behind a name at the word so that it can be understood; `sound` says whether the text is as it is.
     pub(crate) fn completed(&self, sound: bool) -> String {
         match self.next {
-            _ if sound => self.parting().to_owned(),
+            _ if sound || self.unclosed == 0 && !self.open.is_empty() => self.parting().to_owned(),
             Some(next) if next.is_closer() => String::new(),
             _ => self.closing(),
         }
