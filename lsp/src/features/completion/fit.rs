@@ -1,7 +1,9 @@
 //! How well a thing of some type fits a place that would like another.
 
 use ifs_compiler::hir::dimension::Dimension;
-use ifs_compiler::hir::index::Index;
+use ifs_compiler::hir::index::{Index, Target};
+use ifs_compiler::hir::schema::SchemaKind;
+use ifs_compiler::hir::tree::Hir;
 use ifs_compiler::hir::type_names::PLAIN;
 use ifs_compiler::hir::types::Type;
 
@@ -31,6 +33,8 @@ impl Fit {
             | (Type::Map(a), Type::Map(b)) => a.join(*b).is_some(),
             (Type::Point(_), Type::Vector(_)) | (Type::Vector(_), Type::Point(_)) => return Fit::Unknown,
             (Type::List(a), Type::List(b)) => return Fit::of(index, a, Some(b)),
+            // One side of it.
+            (from, Type::Size) => *from == Type::LENGTH || *from == Type::Size,
             (a, b) => {
                 a == b || a.dimension().is_some_and(|has| *b != Type::Int && b.dimension() == Some(has))
             }
@@ -58,6 +62,7 @@ impl Fit {
                 let fits = matches!(expected, Type::Weighted(_));
                 return if fits { Fit::Yes } else { Fit::No };
             }
+            list if list.contains("list") => Type::List(Box::new(Type::Error)),
             word => match (Dimension::named(word), PLAIN.iter().find(|(name, _)| *name == word)) {
                 (Some(dimension), _) => Type::Quantity(dimension),
                 (None, Some((_, ty))) => ty.clone(),
@@ -66,4 +71,11 @@ impl Fit {
         };
         Fit::of(index, &ty, to)
     }
+}
+
+/// Whether a block of a kind can be made of a material: panels take their thickness from it.
+pub(super) fn serves(index: &Index, hir: &Hir, material: &Type, kind: Option<SchemaKind>) -> bool {
+    let Type::Record(id) = material else { return true };
+    let fields = index.parameters(Target::Declared(hir.item(*id).name_span)).unwrap_or_default();
+    kind != Some(SchemaKind::Panels) || fields.iter().any(|field| field.name == "thickness")
 }

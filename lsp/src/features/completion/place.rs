@@ -43,6 +43,12 @@ pub(crate) enum Place {
     Figure,
     /// A measure of a requirement of such a block.
     Measure(Option<SchemaKind>),
+    /// What goes on after these words of a measure.
+    Limit(Option<SchemaKind>, String),
+    /// The limit of a size that a level is found by.
+    SizeLimit,
+    /// A transform or a boundary of a join.
+    Join,
     /// A size that a level is found by.
     Size,
     /// Where an ifs lives.
@@ -54,6 +60,9 @@ pub(crate) enum Place {
 /// What could be written at the word.
 pub(super) fn place(before: &Before<'_>) -> Place {
     let Some(last) = before.back(1) else { return Place::Item };
+    if let Some(place) = in_list_type(before) {
+        return place;
+    }
     match last {
         TokenKind::Dot => return after_dot(before),
         TokenKind::Fabricate => return Place::Figure,
@@ -93,6 +102,23 @@ pub(super) fn place(before: &Before<'_>) -> Place {
     }
 }
 
+/// In the brackets of the type of a list: its element is a type, which nothing follows.
+fn in_list_type(before: &Before<'_>) -> Option<Place> {
+    let mut lists = before.open.iter().rev().take_while(|open| open.kind == TokenKind::OpenBracket);
+    let mut outer = lists.next()?.at;
+    for list in lists {
+        if list.at + 1 != outer {
+            return None;
+        }
+        outer = list.at;
+    }
+    // No list is open there.
+    (place(&before.cut(outer)) == Place::Type).then(|| match before.back(1) {
+        Some(TokenKind::OpenBracket) => Place::Type,
+        _ => Place::Nothing,
+    })
+}
+
 fn after_dot(before: &Before<'_>) -> Place {
     match (before.item(), before.back(2)) {
         (Some(TokenKind::Use), _) if before.open.is_empty() => Place::Module,
@@ -112,15 +138,16 @@ fn after_word(before: &Before<'_>) -> Option<Place> {
         }
         "until" if before.back(2).is_some() && alone => Some(Place::Size),
         "each" if alone && before.back(2) != Some(TokenKind::Equals) => Some(Place::Word("until")),
-        "transform" | "boundary" | "join" if before.item() == Some(TokenKind::Ifs) && alone => {
-            Some(Place::Nothing)
+        "transform" | "boundary" if before.item() == Some(TokenKind::Ifs) && alone => Some(Place::Nothing),
+        _ if before.back_text(2) == "until" && before.value_ends(before.tokens.len().saturating_sub(2)) => {
+            Some(Place::SizeLimit)
         }
         _ => None,
     }
 }
 
 /// Panels or planks, as the head of the block says.
-fn block_kind(before: &Before<'_>) -> Option<SchemaKind> {
+pub(super) fn block_kind(before: &Before<'_>) -> Option<SchemaKind> {
     let kind = before.tokens.iter().position(|token| token.kind == TokenKind::OpenBrace)?;
     match before.written(kind.checked_sub(1)?) {
         "panels" => Some(SchemaKind::Panels),
@@ -166,23 +193,21 @@ fn braces(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
             if ended {
                 Place::Entry(block_kind(before))
             } else {
-                value_or_after(before)
+                limit(before).unwrap_or_else(|| value_or_after(before))
             }
         }
         Some(TokenKind::Ifs) if outermost => {
             if ended {
                 Place::Member
-            } else if last == TokenKind::Name && !before.new_line && before.back_text(2) == "boundary" {
-                Place::Nothing
             } else {
-                value_or_after(before)
+                join(before).unwrap_or_else(|| typed_or_value(before))
             }
         }
         Some(TokenKind::Test) if outermost => {
             if ended {
                 Place::Step
             } else {
-                value_or_after(before)
+                typed_or_value(before)
             }
         }
         Some(TokenKind::Record) if outermost => match last {
@@ -196,6 +221,42 @@ fn braces(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
         },
         _ => value_or_after(before),
     }
+}
+
+/// In a `let` of an ifs or a test, which may say its type.
+fn typed_or_value(before: &Before<'_>) -> Place {
+    let first = before.statement().first().map(|at| before.tokens[*at].kind);
+    match (first, before.back(1)) {
+        (Some(TokenKind::Let), Some(TokenKind::Colon)) => Place::Type,
+        _ => value_or_after(before),
+    }
+}
+
+/// After words of a measure that is required.
+fn limit(before: &Before<'_>) -> Option<Place> {
+    let statement = before.statement();
+    let (first, words) = statement.split_first()?;
+    let measure = words.iter().all(|at| before.tokens[*at].kind == TokenKind::Name);
+    if before.written(*first) != "require" || words.is_empty() || !measure {
+        return None;
+    }
+    let words: Vec<&str> = words.iter().map(|at| before.written(*at)).collect();
+    Some(Place::Limit(block_kind(before), words.join(" ")))
+}
+
+/// In a join: a path on each side of its sign.
+fn join(before: &Before<'_>) -> Option<Place> {
+    let statement = before.statement();
+    if before.written(*statement.first()?) != "join" {
+        return None;
+    }
+    let sides = statement.iter().any(|at| before.tokens[*at].kind == TokenKind::Equals);
+    Some(match before.back(1) {
+        Some(TokenKind::Equals) => Place::Join,
+        _ if statement.len() == 1 => Place::Join,
+        _ if sides => Place::Nothing,
+        _ => Place::Word("="),
+    })
 }
 
 fn parentheses(before: &Before<'_>, open: Open, last: TokenKind) -> Place {

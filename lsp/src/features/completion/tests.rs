@@ -1,5 +1,9 @@
 //! Texts with a cursor, and what is offered there.
 
+mod declarations;
+mod fabrication;
+mod figures;
+
 use super::*;
 use crate::features::fixture::{fixture, with_files};
 
@@ -220,7 +224,7 @@ fn types_and_words_in_their_places() {
     has("figure f = a $0", "on until", "sin");
     has("figure f = a on (p, q) at $0", "level", "sin");
     first("figure f = a until $0", "edge length size");
-    has("let xs = [i $0]", "for in", "sin");
+    has("let xs = [i $0]", "for", "in sin");
     has("let x = if a $0", "then", "else");
     has("param a: Length = 2m $0", "in step", "on");
 }
