@@ -32,7 +32,7 @@ pub use budget::MOST_ELEMENTS;
 pub use expression::{quantity_words, quantity_words_to, words};
 pub use instance::{InstanceBody, InstanceGerm, InstanceTransform, instance_name};
 pub use limits::Limits;
-pub use overrides::{MachineName, OverrideError, Overrides, ParameterValue, read_value};
+pub use overrides::{MachineName, OverrideError, Overrides, ParameterValue, Planarizing, read_value};
 pub use symbolic::SymbolicTransform;
 pub use test::MadeValues;
 
