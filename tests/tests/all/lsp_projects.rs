@@ -67,12 +67,7 @@ fn a_project_of_several_files() {
 }
 
 /// Asks for another name at a place.
-fn renamed(
-    client: &mut Client,
-    uri: &str,
-    (line, column): (u32, u32),
-    new: &str,
-) -> Result<Value, String> {
+fn renamed(client: &mut Client, uri: &str, (line, column): (u32, u32), new: &str) -> Result<Value, String> {
     let mut params = at(uri, line, column);
     params["newName"] = json!(new);
     client.request("textDocument/rename", params).map_err(|refused| refused.message)

@@ -87,6 +87,7 @@ pub(super) fn words(known: &Known<'_>) -> Vec<Offer> {
         Some(TokenKind::Fabricate) => offers.extend(second_side(&part)),
         _ => {}
     }
+    offers.extend(moved(&part));
     offers.extend(placement(&part));
     offers.extend(clauses(&part));
     offers.extend(logical(&part));
@@ -215,6 +216,12 @@ fn placement(part: &Part<'_>) -> Vec<Offer> {
         offers.push(word("each until", each).detail("every branch stops on its own").rank(4));
     }
     offers
+}
+
+/// What a map of a transform moves.
+fn moved(part: &Part<'_>) -> Option<Offer> {
+    let map = matches!(part.ty(), Some(Type::Map(_))) && part.first_word() == "transform";
+    map.then(|| word("* self", "* self").detail("what the map moves"))
 }
 
 /// What makes a list of what stands in its brackets.

@@ -24,7 +24,9 @@ impl Fit {
             (Type::Record(id), Type::Material) => index.materials.contains(id),
             (Type::Figure, Type::Curve | Type::Surface) => return Fit::Unknown,
             // Put on points, or of the plane or of space, it is one.
+            (Type::Ifs, Type::Figure) => return Fit::Yes,
             (Type::Ifs, to) if to.is_figure() => return Fit::Unknown,
+            (Type::List(figures), Type::Figure) if figures.is_figure() => return Fit::Yes,
             (Type::Curve | Type::Surface, Type::Figure) => true,
             (Type::WeightedSum(a), Type::Weighted(b) | Type::Point(b) | Type::Vector(b))
             | (Type::Point(a) | Type::Weighted(a), Type::Weighted(b))

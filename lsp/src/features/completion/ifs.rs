@@ -24,6 +24,12 @@ pub(super) fn space(before: &Before<'_>) -> Option<PointSpace> {
     }
 }
 
+/// Whether a name is of no use in the ifs around, whatever is wanted: a mesh that is read has coordinates of space.
+pub(super) fn elsewhere(visible: &Visible<'_>, before: &Before<'_>) -> bool {
+    visible.target == Target::Native(Native::Import)
+        && space(before).is_some_and(|space| space != PointSpace::Space)
+}
+
 /// The space of the ifs around, where what is written says what that continues with or is bounded by.
 pub(super) fn continued(known: &Known<'_>) -> Option<PointSpace> {
     if known.expected() != Some(&Type::Ifs) {

@@ -15,7 +15,7 @@ use super::fit::Fit;
 use super::imports::to_import;
 use super::place::block_kind;
 use super::snippets::call;
-use super::{Kind, Known, Offer, fit, ifs, needed};
+use super::{Kind, Known, Offer, fit, ifs, needed, shapes};
 
 static LIBRARY: LazyLock<Vec<ModuleDocs>> = LazyLock::new(library_docs);
 
@@ -65,7 +65,7 @@ fn words(known: &Known<'_>, expected: Option<&Type>) -> Vec<Offer> {
             let setting = known.before.back(2).map_or("", |_| known.before.back_text(2));
             vec![word("… by …").snippet(needed::size(setting)).detail("two lengths")]
         }
-        Some(Type::Germ) if in_ifs => vec![
+        Some(Type::Germ) if ifs::space(known.before) == Some(PointSpace::Control) => vec![
             word("limit").docs("The curve itself between its ends: what the figure tends to."),
             word("control").docs("The control points, one joined to the next."),
         ],
@@ -76,7 +76,7 @@ fn words(known: &Known<'_>, expected: Option<&Type>) -> Vec<Offer> {
         offers.push(word("self").docs(around).rank(if expected.is_some() { 0 } else { 60 }));
     }
     offers.push(word("if").snippet("if ${1:condition} then ${2:one} else ${3:other}").rank(90));
-    if matches!(expected, None | Some(Type::List(_))) {
+    if matches!(expected, None | Some(Type::List(_) | Type::Figure)) {
         let list = "[${1:i} for ${2:i} in ${3:0..3}]";
         offers.push(word("for").snippet(list).detail("a list of what is made of each").rank(90));
     }
@@ -113,6 +113,9 @@ fn value(
         Target::Native(native) => Fit::of_words(known.index(), native_result(native).unwrap_or(""), expected),
         _ => Fit::of(known.index(), visible.ty, expected),
     };
+    if ifs::elsewhere(visible, known.before) {
+        return None;
+    }
     let mut fit = continued.map_or_else(of_type, |own| ifs::fit(visible, own));
     let material = expected == Some(&Type::Material) && fit == Fit::Yes;
     if material && !fit::serves(known.index(), known.hir(), visible.ty, block_kind(known.before)) {
@@ -241,11 +244,6 @@ pub(super) fn types(known: &Known<'_>) -> Vec<Offer> {
 pub(super) fn figures(known: &Known<'_>) -> Vec<Offer> {
     let names = known.index().names(known.name.file, known.name.start);
     let figures = names.iter().filter(|visible| kind_of(known, visible) == Kind::Figure);
-    let made = |visible: &&Visible<'_>| {
-        known.analysis.hir.fabricates.iter().any(|block| {
-            known.analysis.hir.item(block.figure).name == visible.name
-                && block.figure_span != known.before.word
-        })
-    };
+    let made = |visible: &&Visible<'_>| shapes::is_made(known.analysis, visible.name, known.before.word);
     figures.filter(|visible| !made(visible)).map(|visible| named(known, visible, Kind::Figure)).collect()
 }

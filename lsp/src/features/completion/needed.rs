@@ -76,8 +76,10 @@ pub(super) fn braces(fields: &[Parameter]) -> Offer {
     if must.is_empty() {
         return Offer::new("{ … }", Kind::Keyword).snippet("{ $0 }");
     }
+    // What is made elsewhere is better than braces with fields that nothing is known for.
+    let known = must.iter().all(|field| value_to_begin_with(&field.ty).is_some());
     let must: Vec<_> = must.iter().map(|field| (field.name.as_str(), Some(&field.ty))).collect();
-    whole("{ … }", Kind::Keyword, format!("{{ {} }}", given(&must)))
+    whole("{ … }", Kind::Keyword, format!("{{ {} }}", given(&must))).rank(if known { 0 } else { 29 })
 }
 
 /// Arguments or fields with values to begin with, as a snippet.
@@ -140,10 +142,8 @@ pub(super) fn kind_with_block(analysis: &Analysis, place: Span, kind: SchemaKind
 
 /// A whole block for a figure that has none, where the design has one.
 pub(super) fn block(analysis: &Analysis, place: Span, kind: SchemaKind) -> Offer {
-    let made =
-        |name: &str| analysis.hir.fabricates.iter().any(|block| analysis.hir.item(block.figure).name == name);
     let own = analysis.index.module(place.file).map_or(&[][..], |module| &module.own);
-    let free = || own.iter().filter(|known| !made(&known.name));
+    let free = || own.iter().filter(|known| !shapes::is_made(analysis, &known.name, place));
     let fits = |known: &&Known| shapes::of_figure(&analysis.hir, known.target) == Some(kind);
     let unknown =
         |known: &&Known| known.ty.is_figure() && shapes::of_figure(&analysis.hir, known.target).is_none();

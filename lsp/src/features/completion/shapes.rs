@@ -1,10 +1,22 @@
-//! What a figure can be fabricated as, as far as its text says: segments are planks, faces are panels.
+//! What a figure can be fabricated as, as far as its text says: segments are planks, faces are panels. Whether it is.
 
+use ifs_compiler::analysis::Analysis;
 use ifs_compiler::hir::index::Target;
 use ifs_compiler::hir::native::Native;
 use ifs_compiler::hir::schema::SchemaKind;
 use ifs_compiler::hir::tree::{Expr, ExprKind, Hir, ItemId, ItemKind};
 use ifs_compiler::hir::types::Type;
+use ifs_compiler::source::Span;
+use ifs_compiler::syntax::ast;
+
+/// Whether a block of the file makes boards of the figure of that name; the one that names it at `but` does not count.
+pub(super) fn is_made(analysis: &Analysis, name: &str, but: Span) -> bool {
+    let files = analysis.files.iter().filter(|file| file.file == but.file);
+    files.flat_map(|file| &file.parse.ast.items).any(|item| match &item.kind {
+        ast::ItemKind::Fabricate(block) => block.figure.text == name && block.figure.span != but,
+        _ => false,
+    })
+}
 
 /// How many items are followed from one to the next.
 const MOST_ITEMS: usize = 16;

@@ -27,6 +27,8 @@ fn a_figure_by_what_it_can_be_made_as() {
 fn a_figure_is_made_once() {
     let materials = "use std.materials (sawn_spruce)\n";
     assert_eq!(labels(&format!("{materials}{ARCH}{SHELL}{MADE}fabricate $0")), ["shell"]);
+    let broken = "fabricate arch as planks {\n    section: \n}\n";
+    assert_eq!(labels(&format!("{materials}{ARCH}{SHELL}{broken}fabricate $0")), ["shell"]);
     let again = MADE.replace("arch", "ar$0");
     has(&format!("{materials}{ARCH}{SHELL}{again}"), "arch shell", "");
 }

@@ -34,6 +34,26 @@ fn an_ifs_continues_in_its_own_space() {
 }
 
 #[test]
+fn what_a_figure_is_made_of() {
+    let curves = "use std.curves (bezier3)\nfn rib(i: Int) -> Curve = bezier3 on ((0m, 0m), (1m, 2m), (2m, 1m), (2m, 0m))\n";
+    for text in ["figure f = $0", "figure f = $0 at level 3", "figure f = $0\n\nlet other = 2"] {
+        first(&format!("{curves}{text}"), "rib bezier3");
+        has(&format!("{curves}{text}"), "sheet fern", "Engraving sin true");
+    }
+    has(&format!("{curves}figure f = $0"), "for", "");
+    has(&format!("{curves}figure f = rib($0)"), "i:", "fern");
+}
+
+#[test]
+fn what_is_drawn_by_where_the_ifs_lives() {
+    has("ifs a on (p, q) {\n    germ $0\n}", "limit control segment", "import");
+    has("ifs a in plane {\n    germ $0\n}", "segment", "limit control import");
+    has("ifs a in space {\n    germ $0\n}", "segment import", "limit control");
+    assert_eq!(labels("ifs a in plane {\n    transform l = scale(2) $0\n}"), ["* self"]);
+    assert_eq!(labels("ifs a in plane {\n    transform l = scale(2) * self $0\n}"), [""; 0]);
+}
+
+#[test]
 fn members_are_right_where_the_ifs_lives() {
     for (space, germ) in [("in plane", "point((0m, 0m))"), ("in space", "point((0m, 0m, 0m))")] {
         let text =
