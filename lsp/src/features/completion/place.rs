@@ -210,11 +210,7 @@ fn braces(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
                 typed_or_value(before)
             }
         }
-        Some(TokenKind::Record) if outermost => match last {
-            TokenKind::Colon => Place::Type,
-            TokenKind::Equals => Place::Value,
-            _ => Place::Nothing,
-        },
+        Some(TokenKind::Record) if outermost => field(before, last),
         _ if ended => match open.at.checked_sub(2).map(|at| before.tokens[at]) {
             Some(label) if before.tokens[open.at - 1].kind == TokenKind::Colon => Place::Field(label.span),
             _ => Place::FieldOf(before.tokens[open.at].span),
@@ -259,6 +255,19 @@ fn join(before: &Before<'_>) -> Option<Place> {
     })
 }
 
+/// In a parameter or a field that is declared: its name, its type, its default.
+fn field(before: &Before<'_>, last: TokenKind) -> Place {
+    use TokenKind::{Colon, Comma, Equals, Name, OpenBrace, OpenParenthesis};
+    match (before.back(2), last) {
+        (_, Colon) => Place::Type,
+        (_, Equals) => Place::Value,
+        _ if before.new_line => Place::Nothing,
+        (Some(Colon), Name) => Place::Word("="),
+        (Some(OpenParenthesis | OpenBrace | Comma), Name) => Place::Word(":"),
+        _ => Place::Nothing,
+    }
+}
+
 fn parentheses(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
     let begins = matches!(last, TokenKind::OpenParenthesis | TokenKind::Comma);
     let before_open = open.at.checked_sub(1).map(|at| before.tokens[at].kind);
@@ -270,11 +279,7 @@ fn parentheses(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
         return path.map_or(Place::Nothing, Place::Import);
     }
     if matches!(before_name, Some(TokenKind::Fn | TokenKind::Ifs)) {
-        return match last {
-            TokenKind::Colon => Place::Type,
-            TokenKind::Equals => Place::Value,
-            _ => Place::Nothing,
-        };
+        return field(before, last);
     }
     let braces = before.open.iter().any(|open| open.kind == TokenKind::OpenBrace);
     if item == Some(TokenKind::Ifs) && !braces && before_open == Some(TokenKind::On) {

@@ -13,6 +13,12 @@ fn what_is_declared_goes_on_as_the_grammar_has_it() {
     assert_eq!(labels("let a: Length $0"), ["="]);
     assert_eq!(labels("param a $0"), [":"]);
     assert_eq!(labels("param a: Length $0"), ["="]);
+    for head in ["fn f(", "ifs a(", "record R { ", "fn f(b: Int, "] {
+        assert_eq!(labels(&format!("{head}a $0")), [":"]);
+        assert_eq!(labels(&format!("{head}a: Length $0")), ["="]);
+        assert_eq!(labels(&format!("{head}a: Length = 1m $0")), [""; 0]);
+    }
+    first("record R {\n    a: Length\n    $0\n}", "");
     let member = |text: &str| labels(&format!("ifs a on (p, q) {{\n    {text}\n    germ segment(p, q)\n}}"));
     assert_eq!(member("boundary e $0"), ["="]);
     assert_eq!(member("transform e $0"), ["=", "[…]"]);
