@@ -71,7 +71,7 @@ pub(super) fn words(known: &Known<'_>) -> Vec<Offer> {
     if let Some(only) = declaration(&part).or_else(|| running(&part)) {
         return only;
     }
-    let mut offers = match branch(&part) {
+    let mut offers = match branch(before) {
         Some(Branch::Then) => {
             let mut offers = vec![word("then", "then ")];
             offers.extend(logical(&part));
@@ -138,19 +138,20 @@ fn running(part: &Part<'_>) -> Option<Vec<Offer>> {
 }
 
 /// What an `if` still needs.
-enum Branch {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Branch {
     Then,
     Else,
 }
 
-/// What the innermost `if` of the part needs; one that picks from what a `for` runs through needs nothing.
-fn branch(part: &Part<'_>) -> Option<Branch> {
+/// What the innermost `if` of what is being written needs; one that picks from what a `for` runs through needs nothing.
+pub(super) fn branch(before: &Before<'_>) -> Option<Branch> {
     let mut open = Vec::new();
     let mut runs = false;
-    for at in &part.tokens {
-        match part.kind(*at) {
+    for at in before.statement() {
+        match before.tokens[at].kind {
             TokenKind::For => runs = true,
-            TokenKind::If if runs && part.before.value_ends(*at) => {}
+            TokenKind::If if runs && before.value_ends(at) => {}
             TokenKind::If => open.push(Branch::Then),
             TokenKind::Then => {
                 open.pop();

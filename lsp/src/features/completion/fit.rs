@@ -44,7 +44,7 @@ impl Fit {
         // A number of another dimension, or a list or a record, may still be a part of what is written.
         let made = to.dimension().is_some()
             || matches!(to, Type::Point(_) | Type::Vector(_) | Type::Bool | Type::Text | Type::List(_));
-        let part = from.dimension().is_some() && to.dimension().is_some()
+        let part = from.dimension().is_some() && (to.dimension().is_some() || *to == Type::Bool)
             || made && matches!(from, Type::List(_) | Type::Record(_));
         match (fits, part) {
             (true, _) => Fit::Yes,
@@ -58,6 +58,8 @@ impl Fit {
         let Some(expected) = to else { return Fit::Unknown };
         let ty = match gives {
             "Quantity" if expected.dimension().is_some() => return Fit::Yes,
+            // One side of a comparison.
+            "Quantity" if *expected == Type::Bool => return Fit::Unknown,
             "Quantity" => return Fit::No,
             "germ" => Type::Germ,
             "control point" => {

@@ -75,6 +75,11 @@ fn words(known: &Known<'_>, expected: Option<&Type>) -> Vec<Offer> {
         let around = "The ifs around, with its own arguments.";
         offers.push(word("self").docs(around).rank(if expected.is_some() { 0 } else { 60 }));
     }
+    let required = known.before.statement().first().map_or("", |first| known.before.written(*first));
+    if known.before.item() == Some(TokenKind::Fabricate) && required == "require" {
+        let material = Offer::new("material", Kind::Value).detail("the material of the block");
+        offers.push(material.rank(rank(Fit::Unknown, Origin::Local)));
+    }
     offers.push(word("if").snippet("if ${1:condition} then ${2:one} else ${3:other}").rank(90));
     if matches!(expected, None | Some(Type::List(_) | Type::Figure)) {
         let list = "[${1:i} for ${2:i} in ${3:0..3}]";

@@ -4,6 +4,7 @@ use ifs_compiler::hir::schema::SchemaKind;
 use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
 
+use super::after::branch;
 use crate::features::tokens::{Before, Open};
 
 /// What could be written at a place.
@@ -166,7 +167,7 @@ fn outside(before: &Before<'_>, last: TokenKind) -> Place {
             _ => Place::Nothing,
         };
     }
-    if before.after_value() && before.new_line {
+    if line_ends(before) {
         return Place::Item;
     }
     match (item, last) {
@@ -180,13 +181,18 @@ fn outside(before: &Before<'_>, last: TokenKind) -> Place {
     }
 }
 
+/// Whether what stands before the word may be whole, and its line has ended.
+fn line_ends(before: &Before<'_>) -> bool {
+    before.new_line && before.after_value() && branch(before).is_none()
+}
+
 fn value_or_after(before: &Before<'_>) -> Place {
     if before.after_value() { Place::After } else { Place::Value }
 }
 
 fn braces(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
     let begins = matches!(last, TokenKind::OpenBrace | TokenKind::Comma);
-    let ended = begins || before.after_value() && before.new_line;
+    let ended = begins || line_ends(before);
     let outermost = before.open.len() == 1;
     match before.item() {
         Some(TokenKind::Fabricate) if outermost => {

@@ -1,6 +1,7 @@
 //! Texts with a cursor, and what is offered there.
 
 mod declarations;
+mod examples;
 mod fabrication;
 mod figures;
 

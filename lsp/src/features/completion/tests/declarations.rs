@@ -55,6 +55,9 @@ fn what_a_value_can_go_on_with() {
     first("let c = true\nlet x = if c $0", "then and or");
     first("let c = true\nlet x = [if c $0 for i in 0..3]", "then and or");
     first("let c = true\nlet x = if c then 1m $0", "else");
+    first("let c = true\nlet x = if c then 1m\n    $0", "else");
+    first("let c = true\nlet x = if c then 1m else 2m\n    $0", "use");
+    has("let a = 3m\nlet x: Bool = $0", "a min max len", "fern");
     assert_eq!(labels("let x = 3m $0"), [""; 0]);
     has("let x = 3m > 2m $0", "and or", "on until");
     assert_eq!(labels("param p: Length = 3m $0"), ["in", "step"]);

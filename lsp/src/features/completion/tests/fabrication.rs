@@ -71,4 +71,5 @@ fn a_measure_goes_on_with_its_words_and_its_limit() {
     assert_eq!(requires("diagonal ra$0"), ["ratio"]);
     assert_eq!(requires("length in 3m $0"), [".."]);
     assert_eq!(requires("length <= 3m $0"), [""; 0]);
+    assert!(requires("bend radius >= $0").contains(&"material".to_owned()));
 }
