@@ -7,6 +7,7 @@ mod completions;
 mod diagnostics;
 mod hierarchy;
 mod neighbours;
+mod patience;
 mod progress;
 mod publish;
 mod renaming;

@@ -12,7 +12,7 @@ use ifs_compiler::syntax::ast;
 
 use super::boards::board;
 use super::facts::{self, WorkedOut};
-use super::keywords::keyword;
+use super::keywords::{built_in_type, keyword};
 use super::states;
 use super::words::one_spaced;
 
@@ -33,7 +33,8 @@ pub(crate) fn hover(analysis: &Analysis, known: WorkedOut<'_>, file: FileId, off
     if let Some((span, markdown)) = known.made.and_then(|made| board(analysis, made, file, offset)) {
         return Some(Hover { span, markdown: known.dated(markdown) });
     }
-    if let Some((span, markdown)) = keyword(analysis, file, offset) {
+    let word = keyword(analysis, file, offset).or_else(|| built_in_type(analysis, file, offset));
+    if let Some((span, markdown)) = word {
         return Some(Hover { span, markdown });
     }
     let (span, ty) = analysis.index.type_at(file, offset)?;
@@ -178,19 +179,24 @@ fn module(analysis: &Analysis, file: FileId) -> Option<String> {
 
 fn setting(analysis: &Analysis, kind: SchemaKind, name: &str) -> Option<String> {
     let setting = kind.setting(name)?;
-    let ty = match &setting.ty {
-        SettingType::Of(ty) => type_name(&analysis.hir.items, ty),
-        SettingType::Library(record) => (*record).to_owned(),
+    let (ty, words) = match &setting.ty {
+        SettingType::Of(Type::Choice(choice)) => {
+            let words = choice.words().iter().map(|word| format!("\n- `{}`: {}", word.name, word.doc));
+            (choice.words().iter().map(|word| word.name).collect::<Vec<_>>().join(" | "), words.collect())
+        }
+        SettingType::Of(ty) => (type_name(&analysis.hir.items, ty), String::new()),
+        SettingType::Library(record) => ((*record).to_owned(), String::new()),
     };
     let needed = if setting.required { "needed" } else { "may be left out" };
-    Some(format!("{}\n---\n{}; {needed}", code(&format!("{name}: {ty}")), setting.doc))
+    Some(format!("{}\n---\n{}; {needed}{words}", code(&format!("{name}: {ty}")), setting.doc))
 }
 
 fn of_measure(measure: Measure) -> String {
-    code(&format!("require {}: {}", measure.words(), measure.dimension().name()))
+    let declared = code(&format!("require {}: {}", measure.words(), measure.dimension().name()));
+    format!("{declared}\n---\n{}", measure.doc())
 }
 
 fn choice(kind: ChoiceKind, place: usize) -> Option<String> {
     let word = kind.words().get(place)?;
-    Some(code(word.name))
+    Some(format!("{}\n---\n{}", code(word.name), word.doc))
 }

@@ -273,3 +273,28 @@ fn what_has_not_changed_is_said_to_be_so() {
     assert_eq!(pushed.count(), 0, "who pulls is not pushed to");
     client.finish();
 }
+
+#[test]
+fn designs_that_nobody_has_open_are_worked_out_too() {
+    let folder = scratch("lsp_workspace_boards");
+    fs::write(folder.join("ifs.toml"), "").unwrap();
+    let text = "use std.curves (line)\nuse std.materials (sawn_spruce)\nfigure beam = line on ((0m, 0m), (4m, 0m)) at level 1\n\
+                fabricate beam as planks {\n    material: sawn_spruce\n    section: 100mm by 40mm\n    require length <= 1m\n}\n";
+    fs::write(folder.join("long.ifs"), text).unwrap();
+    fs::write(folder.join("good.ifs"), text.replace("<= 1m", "<= 2m")).unwrap();
+    let mut client = Client::start(program_path(false));
+    client.initialize(&json!({ "textDocument": { "diagnostic": {} } }), &[&folder]);
+    let report = client.request("workspace/diagnostic", json!({ "previousResultIds": [] })).unwrap();
+    let of = |name: &str| {
+        let own = uri(&folder.join(name));
+        let item = report["items"].as_array().unwrap().iter().find(|item| item["uri"] == own).unwrap();
+        item["items"].as_array().unwrap().clone()
+    };
+    let found = of("long.ifs");
+    assert_eq!(
+        (found.len(), &found[0]["code"], &found[0]["range"]["start"]["line"]),
+        (1, &json!("E0812"), &json!(6))
+    );
+    assert_eq!(of("good.ifs"), [] as [Value; 0]);
+    client.finish();
+}

@@ -23,6 +23,7 @@ mod points;
 mod swept;
 mod symbolic;
 mod test;
+mod told;
 mod transform;
 mod until;
 mod vectors;
@@ -35,6 +36,7 @@ pub use limits::Limits;
 pub use overrides::{MachineName, OverrideError, Overrides, ParameterValue, Planarizing, read_value};
 pub use symbolic::SymbolicTransform;
 pub use test::MadeValues;
+pub use told::value_words;
 
 use super::tree::{Body, Hir, ItemId, ItemKind, LocalId};
 use super::value::{Instance, Value};
