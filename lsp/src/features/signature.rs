@@ -30,7 +30,7 @@ pub(crate) fn signature(analysis: &Analysis, file: FileId, offset: u32) -> Optio
     let target = target(&analysis.index, analysis, callee)?;
     let names = parameters(analysis, target)?;
     let mut signature = labelled(written(analysis, callee), &names, gives(analysis, target));
-    signature.active = active(&before, open, &names);
+    signature.active = active(&before, open, label_at(analysis, file, offset), &names);
     signature.docs = docs(analysis, target);
     Some(signature)
 }
@@ -45,6 +45,15 @@ fn callee(before: &Before<'_>, open: Open) -> Option<Span> {
     (open.kind == TokenKind::OpenParenthesis && called && glued && !declares).then_some(name.span)
 }
 
+/// The name of an argument around a place: a colon follows it.
+fn label_at(analysis: &Analysis, file: FileId, offset: u32) -> Option<&str> {
+    let parse = &analysis.files.iter().find(|parsed| parsed.file == file)?.parse;
+    let mut tokens = parse.tokens.iter().filter(|token| !token.kind.is_trivia());
+    let name = tokens.find(|token| token.span.start <= offset && offset <= token.span.end)?;
+    let labels = name.kind == TokenKind::Name && tokens.next()?.kind == TokenKind::Colon;
+    labels.then(|| written(analysis, name.span))
+}
+
 /// What a name stands for: as the compiler read it, or by its letters where the text around is too broken.
 fn target(index: &Index, analysis: &Analysis, name: Span) -> Option<Target> {
     let read = index.references.iter().find(|used| used.span == name).map(|used| used.target);
@@ -55,20 +64,35 @@ fn target(index: &Index, analysis: &Analysis, name: Span) -> Option<Target> {
     })
 }
 
-/// A parameter: its name, its type in words, whether it must be given.
-type Parameter = (String, String, bool);
+/// A parameter: its name, and what it takes in words, with what it is when it is left out.
+type Parameter = (String, String);
+
+/// The most letters of a default that are shown.
+const MOST_OF_A_DEFAULT: usize = 60;
 
 fn parameters(analysis: &Analysis, target: Target) -> Option<Vec<Parameter>> {
     if let Target::Native(native) = target {
-        let all = native.declaration().parameters.iter();
-        return Some(
-            all.map(|parameter| (parameter.name.to_owned(), native_parameter(parameter), parameter.required))
-                .collect(),
-        );
+        let all = native.declaration().parameters.iter().map(|parameter| {
+            let optional = if parameter.required { "" } else { " (may be left out)" };
+            (parameter.name.to_owned(), format!("{}{optional}", native_parameter(parameter)))
+        });
+        return Some(all.collect());
     }
-    let all = analysis.index.parameters(target)?.iter();
-    let ty = |ty| type_name(&analysis.hir.items, ty);
-    Some(all.map(|parameter| (parameter.name.clone(), ty(&parameter.ty), parameter.required)).collect())
+    let all = analysis.index.parameters(target)?.iter().map(|parameter| {
+        let ty = type_name(&analysis.hir.items, &parameter.ty);
+        let default = parameter.default.map(|span| format!(" = {}", shortened(written(analysis, span))));
+        (parameter.name.clone(), ty + &default.unwrap_or_default())
+    });
+    Some(all.collect())
+}
+
+/// A value as it is written, on one line; the beginning of a long one.
+fn shortened(value: &str) -> String {
+    let line = value.split_whitespace().collect::<Vec<_>>().join(" ");
+    match line.char_indices().nth(MOST_OF_A_DEFAULT) {
+        Some((end, _)) => format!("{} …", line[..end].trim_end()),
+        None => line,
+    }
 }
 
 /// What a call gives, in words; nothing where the name says it.
@@ -84,12 +108,12 @@ fn gives(analysis: &Analysis, target: Target) -> Option<String> {
 fn labelled(name: &str, parameters: &[Parameter], gives: Option<String>) -> Signature {
     let mut label = format!("{name}(");
     let mut spans = Vec::new();
-    for (place, (name, ty, required)) in parameters.iter().enumerate() {
+    for (place, (name, takes)) in parameters.iter().enumerate() {
         if place > 0 {
             label += ", ";
         }
         let start = label.len() as u32;
-        label += &format!("{name}: {ty}{}", if *required { "" } else { " = …" });
+        label += &format!("{name}: {takes}");
         spans.push((start, label.len() as u32));
     }
     label.push(')');
@@ -99,27 +123,23 @@ fn labelled(name: &str, parameters: &[Parameter], gives: Option<String>) -> Sign
     Signature { label, parameters: spans, active: None, docs: String::new() }
 }
 
-/// The parameter of the argument at the end of `before`: by its name, or by its place among those without.
-fn active(before: &Before<'_>, open: Open, parameters: &[Parameter]) -> Option<u32> {
+/// The parameter of the argument at the end of `before`: by its name, where that is written or begun there, or the first
+/// that has none yet, behind those that are given by their places.
+fn active(before: &Before<'_>, open: Open, label: Option<&str>, parameters: &[Parameter]) -> Option<u32> {
     let (named, commas) = before.given_in(open);
-    let mut depth = 0usize;
-    let mut labels_before = named.len();
-    for at in (open.at + 1..before.tokens.len()).rev() {
-        let kind = before.tokens[at].kind;
-        match kind {
-            TokenKind::Comma if depth == 0 => break,
-            TokenKind::Colon if depth == 0 => {
-                let name = before.written(at - 1);
-                return parameters.iter().position(|(known, ..)| known == name).map(|place| place as u32);
-            }
-            kind if kind.is_closer() => depth += 1,
-            kind if kind.closer().is_some() => depth = depth.saturating_sub(1),
-            _ => {}
-        }
+    let named_so = |name: &str| parameters.iter().position(|(known, _)| known == name);
+    let at = before.argument(open);
+    let label = match before.tokens.get(at + 1).map(|token| token.kind) {
+        Some(TokenKind::Colon) => Some(before.written(at)),
+        Some(_) => None,
+        None => label,
+    };
+    if let Some(label) = label {
+        return named_so(label).map(|place| place as u32);
     }
-    labels_before = labels_before.min(commas);
-    let place = commas - labels_before;
-    (place < parameters.len()).then_some(place as u32)
+    let by_place = commas.saturating_sub(named.len());
+    let open = |(name, _): &Parameter| !named.contains(&name.as_str());
+    (by_place..parameters.len()).find(|place| open(&parameters[*place])).map(|place| place as u32)
 }
 
 fn docs(analysis: &Analysis, target: Target) -> String {
@@ -158,22 +178,39 @@ mod tests {
     fn the_argument_that_is_written() {
         let arch = "/// An arch.\nfn arch(i: Int, width: Length, tall: Bool = true) -> Length = width\n";
         for (text, expected) in [
-            ("let x = arch($0", "arch([i: Int], width: Length, tall: Bool = …) -> Length"),
-            ("let x = arch(1, $0)", "arch(i: Int, [width: Length], tall: Bool = …) -> Length"),
+            ("let x = arch($0", "arch([i: Int], width: Length, tall: Bool = true) -> Length"),
+            ("let x = arch(1, $0)", "arch(i: Int, [width: Length], tall: Bool = true) -> Length"),
             (
                 "let x = arch(1, tall: $0\n\nlet y = 2",
-                "arch(i: Int, width: Length, [tall: Bool = …]) -> Length",
+                "arch(i: Int, width: Length, [tall: Bool = true]) -> Length",
             ),
-            ("let x = arch(tall: true, $0)", "arch([i: Int], width: Length, tall: Bool = …) -> Length"),
-            ("let x = arch(1, 2m, true, $0)", "arch(i: Int, width: Length, tall: Bool = …) -> Length"),
-            ("let x = arch(1, (2m + $0", "arch(i: Int, [width: Length], tall: Bool = …) -> Length"),
+            ("let x = arch(tall: true, $0)", "arch([i: Int], width: Length, tall: Bool = true) -> Length"),
+            ("let x = arch(1, 2m, true, $0)", "arch(i: Int, width: Length, tall: Bool = true) -> Length"),
+            ("let x = arch(1, (2m + $0", "arch(i: Int, [width: Length], tall: Bool = true) -> Length"),
             ("let x = arch(len([1, 2$0]), 2m)", "len([list: [any]]) -> Int"),
             ("let x = arch(1, 2m)$0", ""),
             ("let x = lerp(a, b, 1/$0", "lerp(a: Point, b: Point, [t: Number]) -> Point"),
-            ("use std.curves (bezier3)\nfigure f = bezier3(t: 1$0) on", "bezier3([t: Number = …]) -> Ifs"),
+            ("use std.curves (bezier3)\nfigure f = bezier3(t: 1$0) on", "bezier3([t: Number = 1/2]) -> Ifs"),
             (
                 "use std.materials (Radius)\nlet r = Radius(across: 1m, $0)",
-                "Radius([across: Length], along: Length)",
+                "Radius(across: Length, [along: Length])",
+            ),
+            ("let x = arch(1, tall: true, $0)", "arch(i: Int, [width: Length], tall: Bool = true) -> Length"),
+            ("let x = arch(1, wi$0dth: 2m)", "arch(i: Int, [width: Length], tall: Bool = true) -> Length"),
+            ("let x = arch(1, tall$0: true)", "arch(i: Int, width: Length, [tall: Bool = true]) -> Length"),
+            ("let x = arch(wid$0)", "arch([i: Int], width: Length, tall: Bool = true) -> Length"),
+            (
+                "let x = scale(1, 2, abo$0ut: p)",
+                "scale(kx: Number, ky: Number (may be left out), kz: Number (may be left out), \
+                 [about: Point (may be left out)]) -> Map",
+            ),
+            (
+                "record Arch { base: Length, rise: Length = 2.5m *\n    1 }\nlet x = Arch(base: 3m, $0)",
+                "Arch(base: Length, [rise: Length = 2.5m * 1])",
+            ),
+            (
+                "fn f(tool: Length, feed: Speed, plunge: Speed) -> Length = tool\nlet x = f(tool: 6mm, feed: , $0)",
+                "f(tool: Length, feed: Speed, [plunge: Speed]) -> Length",
             ),
             ("fn other(a: Int$0) -> Int = a", ""),
             ("let x = nothing(1, $0)", ""),

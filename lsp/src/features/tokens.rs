@@ -12,6 +12,7 @@ pub(crate) struct Open {
 }
 
 /// What stands before the cursor in its item.
+#[derive(Clone)]
 pub(crate) struct Before<'a> {
     text: &'a str,
     /// The tokens of the item up to the word, without trivia.
@@ -26,6 +27,8 @@ pub(crate) struct Before<'a> {
     pub(crate) next: Option<TokenKind>,
     /// Whether that stands on the line where the word ends.
     pub(crate) next_on_line: bool,
+    /// How many of the open brackets, innermost first, nothing behind the word closes.
+    unclosed: usize,
 }
 
 /// What the cursor is in.
@@ -69,11 +72,8 @@ fn before<'a>(text: &'a str, all: &[Token], count: usize, word: Span) -> Before<
     let mut tokens: Vec<Token> = Vec::new();
     let mut open: Vec<Open> = Vec::new();
     for (at, token) in all[..count].iter().enumerate().filter(|(_, token)| !token.kind.is_trivia()) {
-        let indented = !starts_line(text, token.span.start);
-        let begins = token.kind.is_item_keyword() && begins_item(text, all, at)
-            || token.kind == TokenKind::Let && (open.is_empty() || !indented);
         let public = tokens.len() == 1 && tokens[0].kind == TokenKind::Pub;
-        if begins && !public {
+        if begins(text, all, at, open.is_empty()) && !public {
             tokens.clear();
             open.clear();
         }
@@ -94,7 +94,43 @@ fn before<'a>(text: &'a str, all: &[Token], count: usize, word: Span) -> Before<
         text.get(word.end as usize..next.span.start as usize).is_some_and(|between| !between.contains('\n'))
     });
     let next = following.map(|token| token.kind);
-    Before { text, tokens, open, word, new_line, next, next_on_line }
+    let unclosed = unclosed(text, all, count, word.end, &open);
+    Before { text, tokens, open, word, new_line, next, next_on_line, unclosed }
+}
+
+/// Whether an item begins with a token; `outside` says that no bracket is open before it.
+fn begins(text: &str, all: &[Token], at: usize, outside: bool) -> bool {
+    let token = all[at];
+    token.kind.is_item_keyword() && begins_item(text, all, at)
+        || token.kind == TokenKind::Let && (outside || starts_line(text, token.span.start))
+}
+
+/// How many of the brackets that are open before `from`, innermost first, the rest of the item does not close before it
+/// closes one around them, or at all.
+fn unclosed(text: &str, all: &[Token], count: usize, from: u32, open: &[Open]) -> usize {
+    let mut inner: Vec<TokenKind> = Vec::new();
+    for (at, token) in all.iter().enumerate().skip(count) {
+        if token.kind.is_trivia() || token.span.start < from {
+            continue;
+        }
+        if begins(text, all, at, inner.is_empty() && open.is_empty()) {
+            break;
+        }
+        if token.kind.closer().is_some() {
+            inner.push(token.kind);
+        } else if token.kind.is_closer() {
+            let closes = |opened: TokenKind| opened.closer() == Some(token.kind);
+            match inner.iter().rposition(|opened| closes(*opened)) {
+                Some(place) => inner.truncate(place),
+                None => {
+                    if let Some(place) = open.iter().rposition(|opened| closes(opened.kind)) {
+                        return open.len() - 1 - place;
+                    }
+                }
+            }
+        }
+    }
+    open.len()
 }
 
 fn starts_line(text: &str, at: u32) -> bool {
@@ -141,33 +177,97 @@ impl Before<'_> {
 
     /// Whether what stands before the word could be the end of a value.
     pub(crate) fn after_value(&self) -> bool {
+        self.value_ends(self.tokens.len())
+    }
+
+    /// Whether the first `count` tokens could end with a value.
+    pub(crate) fn value_ends(&self, count: usize) -> bool {
         use TokenKind::*;
-        let Some(last) = self.back(1) else { return false };
-        match last {
-            Name => !self.after_operator_word(),
+        let Some(last) = count.checked_sub(1) else { return false };
+        match self.tokens[last].kind {
+            Name => !self.is_operator_word(last),
             Number(_) | BadNumber | Text | Itself | True | False => true,
             kind => kind.is_closer(),
         }
     }
 
-    /// Whether the last name is a word that stands before a value.
-    fn after_operator_word(&self) -> bool {
-        let word = self.back_text(1);
-        let label = self.back(2).is_some_and(|kind| kind == TokenKind::Dot);
+    /// Whether a name is a word that stands before a value.
+    fn is_operator_word(&self, at: usize) -> bool {
+        let word = self.written(at);
+        let back = at.checked_sub(1).map(|back| self.tokens[back].kind);
+        let label = back == Some(TokenKind::Dot);
         let begins = matches!(word, "germ" | "keep" | "require" | "assert" | "until" | "join")
-            && !matches!(self.back(2), Some(TokenKind::Colon | TokenKind::Equals | TokenKind::Plus));
+            && !matches!(back, Some(TokenKind::Colon | TokenKind::Equals | TokenKind::Plus));
         !label && (matches!(word, "by" | "and" | "or" | "not" | "step" | "level" | "as" | "each") || begins)
     }
 
-    /// The brackets that the item leaves open at the word, closed.
+    /// What stands before one of the tokens, which must be there, as if the word were written there.
+    pub(crate) fn cut(&self, at: usize) -> Self {
+        let here = self.tokens[at].span;
+        let mut cut = self.clone();
+        cut.tokens.truncate(at);
+        cut.open.retain(|open| open.at < at);
+        cut.word = Span::new(here.file, here.start, here.start);
+        let from = cut.tokens.last().map_or(0, |token| token.span.end);
+        let between = self.text.get(from as usize..here.start as usize);
+        cut.new_line = between.is_some_and(|between| between.contains('\n'));
+        cut.next = Some(self.tokens[at].kind);
+        cut.next_on_line = true;
+        cut.unclosed = cut.unclosed.min(cut.open.len());
+        cut
+    }
+
+    /// The tokens of what is being written in the innermost bracket, by their places: since its last comma, in braces
+    /// since the word that begins the line. Of brackets inside only the ends are among them.
+    pub(crate) fn statement(&self) -> Vec<usize> {
+        let (mut part, mut depth) = (Vec::new(), 0usize);
+        for at in self.open.last().map_or(0, |open| open.at + 1)..self.tokens.len() {
+            let kind = self.tokens[at].kind;
+            if kind.is_closer() {
+                depth = depth.saturating_sub(1);
+            }
+            match (depth, kind) {
+                (0, TokenKind::Comma) => part.clear(),
+                (0, _) => part.push(at),
+                _ => {}
+            }
+            if kind.closer().is_some() {
+                depth += 1;
+            }
+        }
+        let braces = self.open.last().is_some_and(|open| open.kind == TokenKind::OpenBrace);
+        if braces && let Some(start) = part.iter().rposition(|at| self.begins_line(*at)) {
+            part.drain(..start);
+        }
+        part
+    }
+
+    /// Whether a token begins a member of an ifs, a line of a test, or a setting or a requirement of a block.
+    fn begins_line(&self, at: usize) -> bool {
+        let label = self.tokens.get(at + 1).is_some_and(|next| next.kind == TokenKind::Colon);
+        let begins = match (self.item(), self.tokens[at].kind) {
+            (Some(TokenKind::Ifs | TokenKind::Test), TokenKind::Let) => true,
+            (Some(TokenKind::Ifs), TokenKind::Name) => {
+                matches!(self.written(at), "transform" | "germ" | "keep" | "boundary" | "join")
+            }
+            (Some(TokenKind::Test), TokenKind::Name) => self.written(at) == "assert",
+            (_, TokenKind::Name) => label || self.written(at) == "require",
+            _ => false,
+        };
+        let before = at.checked_sub(1).map(|back| self.tokens[back].kind);
+        begins && (before == Some(TokenKind::OpenBrace) || self.value_ends(at))
+    }
+
+    /// The brackets that the item leaves open at the word and does not close behind it, closed.
     fn closing(&self) -> String {
-        self.open.iter().rev().filter_map(|open| open.kind.closer()?.text()).collect()
+        let open = self.open.iter().rev().take(self.unclosed);
+        open.filter_map(|open| open.kind.closer()?.text()).collect()
     }
 
     /// What must stand behind a name at the word so that it can be understood; `sound` says whether the text is as it is.
     pub(crate) fn completed(&self, sound: bool) -> String {
         match self.next {
-            _ if sound => self.parting().to_owned(),
+            _ if sound || self.unclosed == 0 && !self.open.is_empty() => self.parting().to_owned(),
             Some(next) if next.is_closer() => String::new(),
             _ => self.closing(),
         }
@@ -185,6 +285,20 @@ impl Before<'_> {
             Some(Comma | OpenParenthesis | OpenBracket) => ", ",
             _ => " + ",
         }
+    }
+
+    /// Where the token stands, or would, that is the first since the last comma of an open bracket.
+    pub(crate) fn argument(&self, open: Open) -> usize {
+        let (mut start, mut depth) = (open.at + 1, 0usize);
+        for (at, token) in self.tokens.iter().enumerate().skip(open.at + 1) {
+            match token.kind {
+                TokenKind::Comma if depth == 0 => start = at + 1,
+                kind if kind.closer().is_some() => depth += 1,
+                kind if kind.is_closer() => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+        start
     }
 
     /// The names before a colon in the innermost bracket, and how many commas it has.

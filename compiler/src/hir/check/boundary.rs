@@ -27,6 +27,10 @@ impl Checker<'_> {
             self.note(name, DeclarationKind::Boundary(id), Type::Error, None);
         }
         let ast::ExprKind::On(target, ast::Placement::Points(points, points_span)) = &value.kind else {
+            let placed = matches!(value.kind, ast::ExprKind::Error | ast::ExprKind::On(..));
+            if !placed && self.expr(frame, value, Some(&Type::Ifs)).ty == Type::Error {
+                return;
+            }
             if value.kind != ast::ExprKind::Error {
                 let message = format!("the boundary `{}` says no points it stands on", name.text);
                 let diagnostic = Diagnostic::new(Code::E0541, value.span, message).label("no list of points");

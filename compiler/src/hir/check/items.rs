@@ -152,7 +152,16 @@ impl<'a> Checker<'a> {
     }
 
     fn figure(&mut self, module: usize, figure: &ast::Figure) -> (ItemKind, Type) {
-        let (body, ty) = self.annotated(module, figure.ty.as_ref(), &figure.value);
+        let (body, ty) = match &figure.ty {
+            Some(ty) => self.annotated(module, Some(ty), &figure.value),
+            None => {
+                // Or a list of figures, so it is only what the place would like.
+                let mut frame = Frame::new(module);
+                let value = self.expr(&mut frame, &figure.value, Some(&Type::Figure));
+                let ty = value.ty.clone();
+                (Body { value, slots: frame.slots }, ty)
+            }
+        };
         let fits = match &ty {
             Type::List(element) => element.is_figure() || **element == Type::Error,
             ty => ty.is_figure() || *ty == Type::Error,

@@ -76,7 +76,11 @@ impl Checker<'_> {
         } else {
             let vector = expected.filter(|ty| matches!(ty, Type::Vector(_)));
             let wanted = |side: &ast::Expr| vector.filter(|_| matches!(side.kind, ast::ExprKind::Tuple(_)));
-            (self.expr(frame, left, wanted(left)), self.expr(frame, right, wanted(right)))
+            // What is moved by a map is what is wanted of it.
+            let moved = expected
+                .filter(|ty| arithmetic == Arithmetic::Multiply && (**ty == Type::Ifs || ty.is_figure()));
+            let map = moved.map(|_| &Type::Map(PointSpace::Any));
+            (self.expr(frame, left, map.or(wanted(left))), self.expr(frame, right, moved.or(wanted(right))))
         };
         if self.refuse_map_of_ifs(&left, &right) {
             return error_expr(span);

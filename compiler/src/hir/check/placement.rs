@@ -79,7 +79,7 @@ impl Checker<'_> {
         level: &ast::Level,
         span: Span,
     ) -> Expr {
-        let figure = self.expr(frame, figure, None);
+        let figure = self.expr(frame, figure, Some(&Type::Figure));
         let figure = if figure.ty.is_figure() { figure } else { self.convert(figure, &Type::Figure) };
         let (first, second) = match level {
             ast::Level::Uniform(level) => (self.expect(frame, level, &Type::Int), None),

@@ -121,7 +121,7 @@ impl Checker<'_> {
             Symbol::Item(id) => id,
             Symbol::Native(native) => {
                 let target = Target::Native(native);
-                return Some(Known { name, target, ty: Type::Error, parameters: None });
+                return Some(Known { name, target, ty: Type::Error, parameters: None, space: None });
             }
             Symbol::Lost => return None,
         };
@@ -142,6 +142,7 @@ impl Checker<'_> {
                         ty: parameter.ty,
                         required: parameter.required,
                         span: field.name.span,
+                        default: field.default.as_ref().map(|value| value.span),
                     });
                 (signature.result.unwrap_or(checked), Some(parameters.collect()))
             }
@@ -150,6 +151,7 @@ impl Checker<'_> {
                 (self.types.get(&id).cloned().unwrap_or(Type::Error), None)
             }
         };
-        Some(Known { name, target: Target::Declared(declared), ty, parameters })
+        let space = self.space_of(id);
+        Some(Known { name, target: Target::Declared(declared), ty, parameters, space })
     }
 }

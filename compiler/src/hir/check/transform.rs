@@ -81,7 +81,7 @@ impl Checker<'_> {
     }
 
     fn not_placed(&mut self, frame: &mut Frame, value: &ast::Expr) {
-        let checked = self.expr(frame, value, None);
+        let checked = self.expr(frame, value, Some(&Type::Ifs));
         if checked.ty == Type::Error {
             return;
         }
@@ -157,7 +157,7 @@ impl Checker<'_> {
         }
     }
 
-    fn space_of(&self, id: ItemId) -> Option<PointSpace> {
+    pub(super) fn space_of(&self, id: ItemId) -> Option<PointSpace> {
         match &self.declared.get(id.0 as usize)?.item.kind {
             ast::ItemKind::Ifs(ifs) => Some(match ifs.space {
                 ast::Space::On(..) => PointSpace::Control,

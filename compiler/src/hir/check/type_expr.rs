@@ -87,9 +87,13 @@ impl Checker<'_> {
         type_name(&self.items, ty)
     }
 
-    /// Whether a record can say what a board is made of: it has a thickness, or a density.
+    /// Whether a record can say what a board is made of: it has a thickness, or a density. What is told of a board that
+    /// is made has a thickness too.
     pub(super) fn is_material(&mut self, ty: &Type) -> bool {
         let Type::Record(id) = ty else { return false };
+        if self.modules[self.declared[id.0 as usize].module].name == "boards" {
+            return false;
+        }
         self.ensure_checked(*id, self.items[id.0 as usize].name_span);
         match &self.items[id.0 as usize].kind {
             ItemKind::Record(fields) => {

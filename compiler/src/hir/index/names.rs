@@ -2,7 +2,7 @@
 //! would bring. Local names are declarations with a scope.
 
 use super::{Index, Target};
-use crate::hir::types::Type;
+use crate::hir::types::{PointSpace, Type};
 use crate::source::{FileId, Span};
 use std::collections::BTreeSet;
 
@@ -17,6 +17,8 @@ pub struct Parameter {
     pub required: bool,
     /// Where its name is declared.
     pub span: Span,
+    /// Where the value stands that it has when it is left out.
+    pub default: Option<Span>,
 }
 
 /// A name of a file and what it stands for.
@@ -30,6 +32,8 @@ pub struct Known {
     pub ty: Type,
     /// What it takes, for an item that is called; a function of the program has its own table.
     pub parameters: Option<Vec<Parameter>>,
+    /// Where it lives, for an ifs that is declared.
+    pub space: Option<PointSpace>,
 }
 
 /// The names of one file.
@@ -82,6 +86,8 @@ pub struct Visible<'a> {
     pub ty: &'a Type,
     /// What it takes, for an item that is called.
     pub parameters: Option<&'a [Parameter]>,
+    /// Where it lives, for an ifs that is declared.
+    pub space: Option<PointSpace>,
     /// Where it comes from.
     pub origin: Origin<'a>,
 }
@@ -93,6 +99,7 @@ impl<'a> Visible<'a> {
             target: known.target,
             ty: &known.ty,
             parameters: known.parameters.as_deref(),
+            space: known.space,
             origin,
         }
     }
@@ -117,6 +124,7 @@ impl Index {
             target: Target::Declared(declared.span),
             ty: &declared.ty,
             parameters: None,
+            space: None,
             origin: Origin::Local,
         });
         let here = self.module(file);

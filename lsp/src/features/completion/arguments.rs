@@ -32,6 +32,7 @@ pub(super) fn labels(known: &Known<'_>, callee: Span) -> Vec<Offer> {
                 .collect()
         }
     };
+    let by_place_mostly = matches!(called.target, Target::Native(_));
     let (named, commas) = known.before.given();
     let by_place = commas.saturating_sub(named.len());
     let open: Vec<_> = parameters
@@ -45,14 +46,15 @@ pub(super) fn labels(known: &Known<'_>, callee: Span) -> Vec<Offer> {
     // Before an argument that stands there already it would need a comma.
     let last = known.before.next.is_none_or(|next| next == TokenKind::CloseParenthesis);
     let whole = needed::named(&must).filter(|_| last).map(|offer| offer.rank(4));
-    let each = open.iter().map(|(place, (name, _, ty, required))| {
+    // The first argument of a function of the program is most often given by its place.
+    let first = by_place_mostly && commas == 0;
+    let each = open.iter().map(|(_, (name, _, ty, required))| {
         let what = if *required { "" } else { " (may be left out)" };
         let snippet = if labelled { name.clone() } else { format!("{name}: $0") };
         Offer::new(&format!("{name}:"), Kind::Field)
             .detail(format!("{ty}{what}"))
             .snippet(snippet)
-            // The first argument is most often given by its place.
-            .rank(if commas == 0 && *place == 0 { 25 } else { 5 + u8::from(!*required) })
+            .rank(if first { 13 } else { 5 } + u8::from(!*required))
     });
     whole.into_iter().chain(each).collect()
 }

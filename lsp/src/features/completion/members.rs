@@ -6,12 +6,12 @@ use ifs_compiler::hir::type_names::type_name;
 use ifs_compiler::hir::types::{PointSpace, Type};
 use ifs_compiler::syntax::TokenKind;
 
-use super::{Kind, Known, Offer};
+use super::{Kind, Known, Offer, joins};
 
 /// The parts of what stands before the full stop.
 pub(super) fn parts(known: &Known<'_>) -> Vec<Offer> {
-    if joins(known) {
-        return boundaries(known);
+    if joins::is_join(known) {
+        return joins::parts(known);
     }
     // The dot is the last token before the name; what it is of ends there.
     let Some(end) = known.before.tokens.iter().rev().nth(1).map(|token| token.span.end) else {
@@ -42,37 +42,4 @@ pub(super) fn parts(known: &Known<'_>) -> Vec<Offer> {
         }
         _ => Vec::new(),
     }
-}
-
-/// Whether the word stands in a `join`.
-fn joins(known: &Known<'_>) -> bool {
-    let tokens = &known.before.tokens;
-    let word = |at: usize| known.before.written(at);
-    let start = (0..tokens.len())
-        .rev()
-        .take(8)
-        .find(|at| matches!(word(*at), "join" | "transform" | "boundary" | "germ" | "keep" | "let" | "{"));
-    start.is_some_and(|at| word(at) == "join")
-}
-
-/// The boundaries that a transform of a join has: those of the ifs it continues with, most often this one.
-fn boundaries(known: &Known<'_>) -> Vec<Offer> {
-    use ifs_compiler::hir::index::DeclarationKind;
-    let around = known.before.tokens.iter().position(|token| token.kind == TokenKind::Ifs);
-    let Some(name) = around.and_then(|at| known.before.tokens.get(at + 1)) else { return Vec::new() };
-    let id = match known.analysis.index.declaration(name.span).map(|declared| declared.kind) {
-        Some(DeclarationKind::Item(id)) => Some(id),
-        _ => None,
-    };
-    let mut names: Vec<String> = known
-        .index()
-        .declarations
-        .iter()
-        .filter(|declared| matches!(declared.kind, DeclarationKind::Boundary(of) if Some(of) == id))
-        .map(|declared| declared.name.clone())
-        .collect();
-    if names.is_empty() {
-        names = ["start", "end"].map(str::to_owned).to_vec();
-    }
-    names.iter().map(|name| Offer::new(name, Kind::Field).detail("boundary")).collect()
 }

@@ -4,12 +4,16 @@
 mod after;
 mod arguments;
 mod fit;
+mod ifs;
 mod imports;
+mod joins;
+mod measures;
 mod members;
 mod names;
 mod needed;
 mod place;
 mod settings;
+mod shapes;
 mod snippets;
 #[cfg(test)]
 mod tests;
@@ -181,16 +185,19 @@ fn code(analysis: &Analysis, before: &Before<'_>, paths: &[String]) -> Vec<Offer
         Place::Module => return imports::modules(analysis, before, paths),
         Place::Import(module) => return imports::names(analysis, before, *module),
         Place::Kind => return settings::kinds(analysis, before),
-        Place::Measure(kind) => return settings::measures(*kind),
-        Place::Size => return settings::sizes(),
+        Place::Measure(kind) => return measures::measures(*kind),
+        Place::Limit(kind, words) => return measures::limits(*kind, words),
+        Place::Size => return measures::sizes(),
+        Place::SizeLimit => return measures::size_limits(),
         Place::Space => return after::spaces(before),
         Place::Word(word) => return vec![Offer::new(word, Kind::Keyword)],
-        Place::After => return after::words(before),
         _ => {}
     }
     let as_it_is = Known { analysis, read: analysis, name: before.word, before };
     match &place {
-        Place::Member => return snippets::members(),
+        Place::After => return after::words(&as_it_is),
+        Place::Join => return joins::paths(&as_it_is),
+        Place::Member => return snippets::members(ifs::space(before)),
         Place::Step => return snippets::steps(),
         Place::Entry(kind) => return settings::entries(&as_it_is, *kind),
         Place::Field(label) => return settings::fields(&as_it_is, *label),

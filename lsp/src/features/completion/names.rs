@@ -6,15 +6,16 @@ use ifs_compiler::hir::index::{DeclarationKind, Origin, Parameter, Target, Visib
 use ifs_compiler::hir::schema::ChoiceKind;
 use ifs_compiler::hir::tree::ItemKind;
 use ifs_compiler::hir::type_names::{type_name, type_names};
-use ifs_compiler::hir::types::Type;
+use ifs_compiler::hir::types::{PointSpace, Type};
 use ifs_compiler::hir::{ItemDocs, ModuleDocs, library_docs, native_item_docs, native_result};
 use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
 
 use super::fit::Fit;
 use super::imports::to_import;
+use super::place::block_kind;
 use super::snippets::call;
-use super::{Kind, Known, Offer};
+use super::{Kind, Known, Offer, fit, ifs, needed, shapes};
 
 static LIBRARY: LazyLock<Vec<ModuleDocs>> = LazyLock::new(library_docs);
 
@@ -34,7 +35,8 @@ pub(super) fn values(known: &Known<'_>) -> Vec<Offer> {
     let names = known.index().names(known.name.file, known.name.start);
     let own = defined(known);
     let others = names.iter().filter(|visible| own.is_none_or(|own| visible.target != Target::Declared(own)));
-    offers.extend(others.filter_map(|visible| value(known, visible, expected)));
+    let continued = ifs::continued(known);
+    offers.extend(others.filter_map(|visible| value(known, visible, expected, continued)));
     offers
 }
 
@@ -49,27 +51,37 @@ fn defined(known: &Known<'_>) -> Option<Span> {
 /// Words of the language that are values where `expected` is wanted.
 fn words(known: &Known<'_>, expected: Option<&Type>) -> Vec<Offer> {
     let word = |word: &str| Offer::new(word, Kind::Keyword);
-    let ifs = known.before.item() == Some(TokenKind::Ifs);
+    let in_ifs = known.before.item() == Some(TokenKind::Ifs);
     let mut offers = match expected {
         Some(Type::Choice(kind)) => return choices(*kind),
         Some(Type::Bool) => vec![word("true"), word("false")],
-        Some(Type::Settings(_) | Type::Record(_)) => {
-            vec![word("{ … }").snippet("{ $0 }").detail("fields by name")]
+        Some(Type::Settings(_)) => vec![word("{ … }").snippet("{ $0 }").detail("fields by name")],
+        Some(Type::Record(id)) => {
+            let name = known.hir().item(*id).name_span;
+            let fields = known.index().parameters(Target::Declared(name)).unwrap_or_default();
+            vec![needed::braces(fields).detail("fields by name")]
         }
-        Some(Type::Germ) if ifs => vec![
+        Some(Type::Size) => {
+            let setting = known.before.back(2).map_or("", |_| known.before.back_text(2));
+            vec![word("… by …").snippet(needed::size(setting)).detail("two lengths")]
+        }
+        Some(Type::Germ) if ifs::space(known.before) == Some(PointSpace::Control) => vec![
             word("limit").docs("The curve itself between its ends: what the figure tends to."),
             word("control").docs("The control points, one joined to the next."),
         ],
         _ => Vec::new(),
     };
-    if ifs && matches!(expected, None | Some(Type::Ifs)) {
+    if in_ifs && matches!(expected, None | Some(Type::Ifs)) {
         let around = "The ifs around, with its own arguments.";
-        let begins =
-            known.before.back(1) == Some(TokenKind::Equals) && known.before.back_text(3) == "transform";
-        offers.push(word("self").docs(around).rank(if expected.is_some() || begins { 0 } else { 60 }));
+        offers.push(word("self").docs(around).rank(if expected.is_some() { 0 } else { 60 }));
+    }
+    let required = known.before.statement().first().map_or("", |first| known.before.written(*first));
+    if known.before.item() == Some(TokenKind::Fabricate) && required == "require" {
+        let material = Offer::new("material", Kind::Value).detail("the material of the block");
+        offers.push(material.rank(rank(Fit::Unknown, Origin::Local)));
     }
     offers.push(word("if").snippet("if ${1:condition} then ${2:one} else ${3:other}").rank(90));
-    if matches!(expected, None | Some(Type::List(_))) {
+    if matches!(expected, None | Some(Type::List(_) | Type::Figure)) {
         let list = "[${1:i} for ${2:i} in ${3:0..3}]";
         offers.push(word("for").snippet(list).detail("a list of what is made of each").rank(90));
     }
@@ -88,19 +100,32 @@ fn rank(fit: Fit, origin: Origin<'_>) -> u8 {
         Origin::Local => 0,
         Origin::Own => 1,
         Origin::Imported => 2,
-        Origin::Prelude => 3,
-        Origin::Library(_) => 4,
+        Origin::Prelude => 5,
+        Origin::Library(_) => 6,
     };
     10 + 20 * fit as u8 + origin
 }
 
-fn value(known: &Known<'_>, visible: &Visible<'_>, expected: Option<&Type>) -> Option<Offer> {
-    let (kind, fit) = match visible.target {
-        Target::Native(native) => {
-            (Kind::Function, Fit::of_words(known.index(), native_result(native).unwrap_or(""), expected))
-        }
-        _ => (kind_of(known, visible), Fit::of(known.index(), visible.ty, expected)),
+/// A name as a value; `continued` is the space of the ifs around where that continues with what is written.
+fn value(
+    known: &Known<'_>,
+    visible: &Visible<'_>,
+    expected: Option<&Type>,
+    continued: Option<PointSpace>,
+) -> Option<Offer> {
+    let kind = kind_of(known, visible);
+    let of_type = || match visible.target {
+        Target::Native(native) => Fit::of_words(known.index(), native_result(native).unwrap_or(""), expected),
+        _ => Fit::of(known.index(), visible.ty, expected),
     };
+    if ifs::elsewhere(visible, known.before) {
+        return None;
+    }
+    let mut fit = continued.map_or_else(of_type, |own| ifs::fit(visible, own));
+    let material = expected == Some(&Type::Material) && fit == Fit::Yes;
+    if material && !fit::serves(known.index(), known.hir(), visible.ty, block_kind(known.before)) {
+        fit = Fit::No;
+    }
     let origin = visible.origin;
     // Of all that the library could bring, what does not fit is not told.
     if fit == Fit::No && matches!(origin, Origin::Prelude | Origin::Library(_)) {
@@ -108,6 +133,10 @@ fn value(known: &Known<'_>, visible: &Visible<'_>, expected: Option<&Type>) -> O
     }
     let mut offer = named(known, visible, kind);
     offer.rank = rank(fit, origin);
+    if material && kind == Kind::Record {
+        // What is known already comes before what is made of its fields.
+        offer.rank += 6;
+    }
     if known.before.next != Some(TokenKind::OpenParenthesis) {
         offer.snippet = match visible.target {
             Target::Native(native) => {
@@ -119,6 +148,10 @@ fn value(known: &Known<'_>, visible: &Visible<'_>, expected: Option<&Type>) -> O
                 None => visible.name.to_owned(),
             },
         };
+        let moves = known.before.next_on_line && known.before.next == Some(TokenKind::Star);
+        if continued.is_some() && ifs::is_map(visible) && !moves {
+            offer.snippet += " * self";
+        }
     }
     Some(offer)
 }
@@ -212,15 +245,10 @@ pub(super) fn types(known: &Known<'_>) -> Vec<Offer> {
     offers
 }
 
-/// The figures of the design, for a block that makes boards of one: those without a block first.
+/// The figures of the design that no other block makes boards of.
 pub(super) fn figures(known: &Known<'_>) -> Vec<Offer> {
     let names = known.index().names(known.name.file, known.name.start);
     let figures = names.iter().filter(|visible| kind_of(known, visible) == Kind::Figure);
-    let made = |visible: &Visible<'_>| {
-        known.analysis.hir.fabricates.iter().any(|block| {
-            known.analysis.hir.item(block.figure).name == visible.name
-                && block.figure_span != known.before.word
-        })
-    };
-    figures.map(|visible| named(known, visible, Kind::Figure).rank(u8::from(made(visible)))).collect()
+    let made = |visible: &&Visible<'_>| shapes::is_made(known.analysis, visible.name, known.before.word);
+    figures.filter(|visible| !made(visible)).map(|visible| named(known, visible, Kind::Figure)).collect()
 }

@@ -1,16 +1,16 @@
 //! All that a block, a call or a record cannot be without, as one snippet with places to fill in.
 
 use ifs_compiler::analysis::Analysis;
-use ifs_compiler::hir::index::Origin;
+use ifs_compiler::hir::index::{Known, Origin, Parameter};
 use ifs_compiler::hir::schema::{SchemaKind, Setting, SettingType};
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::hir::value_to_begin_with;
 use ifs_compiler::source::Span;
 
-use super::fit::Fit;
+use super::fit::{Fit, serves};
 use super::imports::to_import;
 use super::snippets::{escaped, filled};
-use super::{Kind, Offer};
+use super::{Kind, Offer, shapes};
 
 /// The material that is written where the design has none.
 fn usual_material(kind: SchemaKind) -> (&'static str, &'static str) {
@@ -27,7 +27,8 @@ fn material(analysis: &Analysis, place: Span, kind: SchemaKind) -> (String, Opti
     let known = names.iter().filter(|visible| matches!(visible.origin, Origin::Own | Origin::Imported));
     let own = known.filter(|visible| visible.name.starts_with(|c: char| c.is_ascii_lowercase())).find_map(
         |visible| {
-            if Fit::of(&analysis.index, visible.ty, Some(&Type::Material)) != Fit::Yes {
+            let fits = Fit::of(&analysis.index, visible.ty, Some(&Type::Material)) == Fit::Yes;
+            if !fits || !serves(&analysis.index, &analysis.hir, visible.ty, Some(kind)) {
                 return None;
             }
             let needed =
@@ -58,6 +59,39 @@ impl Places {
     }
 }
 
+/// The sides of a size to begin with, in a setting of this name: a section, or a raw board.
+fn sides(setting: &str) -> (&'static str, &'static str) {
+    if setting == "section" { ("120mm", "40mm") } else { ("2500mm", "1250mm") }
+}
+
+/// The same as a snippet.
+pub(super) fn size(setting: &str) -> String {
+    let (first, second) = sides(setting);
+    format!("${{1:{first}}} by ${{2:{second}}}")
+}
+
+/// The fields of a record that must be given, in braces.
+pub(super) fn braces(fields: &[Parameter]) -> Offer {
+    let must: Vec<_> = fields.iter().filter(|field| field.required).collect();
+    if must.is_empty() {
+        return Offer::new("{ … }", Kind::Keyword).snippet("{ $0 }");
+    }
+    // What is made elsewhere is better than braces with fields that nothing is known for.
+    let known = must.iter().all(|field| value_to_begin_with(&field.ty).is_some());
+    let must: Vec<_> = must.iter().map(|field| (field.name.as_str(), Some(&field.ty))).collect();
+    whole("{ … }", Kind::Keyword, format!("{{ {} }}", given(&must))).rank(if known { 0 } else { 29 })
+}
+
+/// Arguments or fields with values to begin with, as a snippet.
+fn given(needed: &[(&str, Option<&Type>)]) -> String {
+    let mut places = Places::default();
+    let given = needed.iter().map(|(name, ty)| {
+        let value = ty.and_then(value_to_begin_with).unwrap_or_else(|| (*name).to_owned());
+        format!("{name}: {}", places.of(&value))
+    });
+    given.collect::<Vec<_>>().join(", ")
+}
+
 /// The lines of settings that a block needs, and what must be imported for them.
 fn lines(
     analysis: &Analysis,
@@ -74,11 +108,9 @@ fn lines(
                 import = elsewhere;
                 places.of(&text)
             }
-            (SettingType::Of(Type::Size), "section") => {
-                format!("{} by {}", places.of("120mm"), places.of("40mm"))
-            }
-            (SettingType::Of(Type::Size), _) => {
-                format!("{} by {}", places.of("2500mm"), places.of("1250mm"))
+            (SettingType::Of(Type::Size), name) => {
+                let (first, second) = sides(name);
+                format!("{} by {}", places.of(first), places.of(second))
             }
             (SettingType::Of(ty), name) => {
                 places.of(&value_to_begin_with(ty).unwrap_or_else(|| name.to_owned()))
@@ -110,10 +142,12 @@ pub(super) fn kind_with_block(analysis: &Analysis, place: Span, kind: SchemaKind
 
 /// A whole block for a figure that has none, where the design has one.
 pub(super) fn block(analysis: &Analysis, place: Span, kind: SchemaKind) -> Offer {
-    let made =
-        |name: &str| analysis.hir.fabricates.iter().any(|block| analysis.hir.item(block.figure).name == name);
     let own = analysis.index.module(place.file).map_or(&[][..], |module| &module.own);
-    let figure = own.iter().find(|known| known.ty.is_figure() && !made(&known.name));
+    let free = || own.iter().filter(|known| !shapes::is_made(analysis, &known.name, place));
+    let fits = |known: &&Known| shapes::of_figure(&analysis.hir, known.target) == Some(kind);
+    let unknown =
+        |known: &&Known| known.ty.is_figure() && shapes::of_figure(&analysis.hir, known.target).is_none();
+    let figure = free().find(fits).or_else(|| free().find(unknown));
     let settings = kind.settings();
     let needed: Vec<&Setting> = settings.iter().filter(|setting| setting.required).collect();
     let mut places = Places::default();
@@ -157,11 +191,5 @@ pub(super) fn named(needed: &[(&str, Option<&Type>)]) -> Option<Offer> {
         return None;
     }
     let label = needed.iter().map(|(name, _)| format!("{name}: …")).collect::<Vec<_>>().join(", ");
-    let mut places = Places::default();
-    let given = needed.iter().map(|(name, ty)| {
-        let value = ty.and_then(value_to_begin_with).unwrap_or_else(|| (*name).to_owned());
-        format!("{name}: {}", places.of(&value))
-    });
-    let snippet = given.collect::<Vec<_>>().join(", ");
-    Some(whole(&label, Kind::Field, snippet).detail("all that must be given"))
+    Some(whole(&label, Kind::Field, given(needed)).detail("all that must be given"))
 }

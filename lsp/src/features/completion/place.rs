@@ -4,6 +4,7 @@ use ifs_compiler::hir::schema::SchemaKind;
 use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
 
+use super::after::branch;
 use crate::features::tokens::{Before, Open};
 
 /// What could be written at a place.
@@ -43,6 +44,12 @@ pub(crate) enum Place {
     Figure,
     /// A measure of a requirement of such a block.
     Measure(Option<SchemaKind>),
+    /// What goes on after these words of a measure.
+    Limit(Option<SchemaKind>, String),
+    /// The limit of a size that a level is found by.
+    SizeLimit,
+    /// A transform or a boundary of a join.
+    Join,
     /// A size that a level is found by.
     Size,
     /// Where an ifs lives.
@@ -54,6 +61,9 @@ pub(crate) enum Place {
 /// What could be written at the word.
 pub(super) fn place(before: &Before<'_>) -> Place {
     let Some(last) = before.back(1) else { return Place::Item };
+    if let Some(place) = in_list_type(before) {
+        return place;
+    }
     match last {
         TokenKind::Dot => return after_dot(before),
         TokenKind::Fabricate => return Place::Figure,
@@ -93,6 +103,23 @@ pub(super) fn place(before: &Before<'_>) -> Place {
     }
 }
 
+/// In the brackets of the type of a list: its element is a type, which nothing follows.
+fn in_list_type(before: &Before<'_>) -> Option<Place> {
+    let mut lists = before.open.iter().rev().take_while(|open| open.kind == TokenKind::OpenBracket);
+    let mut outer = lists.next()?.at;
+    for list in lists {
+        if list.at + 1 != outer {
+            return None;
+        }
+        outer = list.at;
+    }
+    // No list is open there.
+    (place(&before.cut(outer)) == Place::Type).then(|| match before.back(1) {
+        Some(TokenKind::OpenBracket) => Place::Type,
+        _ => Place::Nothing,
+    })
+}
+
 fn after_dot(before: &Before<'_>) -> Place {
     match (before.item(), before.back(2)) {
         (Some(TokenKind::Use), _) if before.open.is_empty() => Place::Module,
@@ -112,15 +139,16 @@ fn after_word(before: &Before<'_>) -> Option<Place> {
         }
         "until" if before.back(2).is_some() && alone => Some(Place::Size),
         "each" if alone && before.back(2) != Some(TokenKind::Equals) => Some(Place::Word("until")),
-        "transform" | "boundary" | "join" if before.item() == Some(TokenKind::Ifs) && alone => {
-            Some(Place::Nothing)
+        "transform" | "boundary" if before.item() == Some(TokenKind::Ifs) && alone => Some(Place::Nothing),
+        _ if before.back_text(2) == "until" && before.value_ends(before.tokens.len().saturating_sub(2)) => {
+            Some(Place::SizeLimit)
         }
         _ => None,
     }
 }
 
 /// Panels or planks, as the head of the block says.
-fn block_kind(before: &Before<'_>) -> Option<SchemaKind> {
+pub(super) fn block_kind(before: &Before<'_>) -> Option<SchemaKind> {
     let kind = before.tokens.iter().position(|token| token.kind == TokenKind::OpenBrace)?;
     match before.written(kind.checked_sub(1)?) {
         "panels" => Some(SchemaKind::Panels),
@@ -139,7 +167,7 @@ fn outside(before: &Before<'_>, last: TokenKind) -> Place {
             _ => Place::Nothing,
         };
     }
-    if before.after_value() && before.new_line {
+    if line_ends(before) {
         return Place::Item;
     }
     match (item, last) {
@@ -153,48 +181,96 @@ fn outside(before: &Before<'_>, last: TokenKind) -> Place {
     }
 }
 
+/// Whether what stands before the word may be whole, and its line has ended.
+fn line_ends(before: &Before<'_>) -> bool {
+    before.new_line && before.after_value() && branch(before).is_none()
+}
+
 fn value_or_after(before: &Before<'_>) -> Place {
     if before.after_value() { Place::After } else { Place::Value }
 }
 
 fn braces(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
     let begins = matches!(last, TokenKind::OpenBrace | TokenKind::Comma);
-    let ended = begins || before.after_value() && before.new_line;
+    let ended = begins || line_ends(before);
     let outermost = before.open.len() == 1;
     match before.item() {
         Some(TokenKind::Fabricate) if outermost => {
             if ended {
                 Place::Entry(block_kind(before))
             } else {
-                value_or_after(before)
+                limit(before).unwrap_or_else(|| value_or_after(before))
             }
         }
         Some(TokenKind::Ifs) if outermost => {
             if ended {
                 Place::Member
-            } else if last == TokenKind::Name && !before.new_line && before.back_text(2) == "boundary" {
-                Place::Nothing
             } else {
-                value_or_after(before)
+                join(before).unwrap_or_else(|| typed_or_value(before))
             }
         }
         Some(TokenKind::Test) if outermost => {
             if ended {
                 Place::Step
             } else {
-                value_or_after(before)
+                typed_or_value(before)
             }
         }
-        Some(TokenKind::Record) if outermost => match last {
-            TokenKind::Colon => Place::Type,
-            TokenKind::Equals => Place::Value,
-            _ => Place::Nothing,
-        },
+        Some(TokenKind::Record) if outermost => field(before, last),
         _ if ended => match open.at.checked_sub(2).map(|at| before.tokens[at]) {
             Some(label) if before.tokens[open.at - 1].kind == TokenKind::Colon => Place::Field(label.span),
             _ => Place::FieldOf(before.tokens[open.at].span),
         },
         _ => value_or_after(before),
+    }
+}
+
+/// In a `let` of an ifs or a test, which may say its type.
+fn typed_or_value(before: &Before<'_>) -> Place {
+    let first = before.statement().first().map(|at| before.tokens[*at].kind);
+    match (first, before.back(1)) {
+        (Some(TokenKind::Let), Some(TokenKind::Colon)) => Place::Type,
+        _ => value_or_after(before),
+    }
+}
+
+/// After words of a measure that is required.
+fn limit(before: &Before<'_>) -> Option<Place> {
+    let statement = before.statement();
+    let (first, words) = statement.split_first()?;
+    let measure = words.iter().all(|at| before.tokens[*at].kind == TokenKind::Name);
+    if before.written(*first) != "require" || words.is_empty() || !measure {
+        return None;
+    }
+    let words: Vec<&str> = words.iter().map(|at| before.written(*at)).collect();
+    Some(Place::Limit(block_kind(before), words.join(" ")))
+}
+
+/// In a join: a path on each side of its sign.
+fn join(before: &Before<'_>) -> Option<Place> {
+    let statement = before.statement();
+    if before.written(*statement.first()?) != "join" {
+        return None;
+    }
+    let sides = statement.iter().any(|at| before.tokens[*at].kind == TokenKind::Equals);
+    Some(match before.back(1) {
+        Some(TokenKind::Equals) => Place::Join,
+        _ if statement.len() == 1 => Place::Join,
+        _ if sides => Place::Nothing,
+        _ => Place::Word("="),
+    })
+}
+
+/// In a parameter or a field that is declared: its name, its type, its default.
+fn field(before: &Before<'_>, last: TokenKind) -> Place {
+    use TokenKind::{Colon, Comma, Equals, Name, OpenBrace, OpenParenthesis};
+    match (before.back(2), last) {
+        (_, Colon) => Place::Type,
+        (_, Equals) => Place::Value,
+        _ if before.new_line => Place::Nothing,
+        (Some(Colon), Name) => Place::Word("="),
+        (Some(OpenParenthesis | OpenBrace | Comma), Name) => Place::Word(":"),
+        _ => Place::Nothing,
     }
 }
 
@@ -209,11 +285,7 @@ fn parentheses(before: &Before<'_>, open: Open, last: TokenKind) -> Place {
         return path.map_or(Place::Nothing, Place::Import);
     }
     if matches!(before_name, Some(TokenKind::Fn | TokenKind::Ifs)) {
-        return match last {
-            TokenKind::Colon => Place::Type,
-            TokenKind::Equals => Place::Value,
-            _ => Place::Nothing,
-        };
+        return field(before, last);
     }
     let braces = before.open.iter().any(|open| open.kind == TokenKind::OpenBrace);
     if item == Some(TokenKind::Ifs) && !braces && before_open == Some(TokenKind::On) {

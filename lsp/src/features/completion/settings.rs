@@ -2,15 +2,13 @@
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::hir::index::Target;
-use ifs_compiler::hir::schema::{Measure, SchemaKind, Setting, SettingType};
-use ifs_compiler::hir::size::SizeMeasure;
+use ifs_compiler::hir::schema::{SchemaKind, Setting, SettingType};
 use ifs_compiler::hir::type_names::type_name;
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
 
-use super::snippets::escaped;
-use super::{Kind, Known, Offer, needed};
+use super::{Kind, Known, Offer, needed, shapes};
 use crate::features::tokens::Before;
 use crate::features::words::written;
 
@@ -21,39 +19,19 @@ pub(super) fn kinds(analysis: &Analysis, before: &Before<'_>) -> Vec<Offer> {
         (SchemaKind::Planks, "straight planks, one for each segment of a curve"),
     ];
     let has_block = before.next == Some(TokenKind::OpenBrace);
+    // A block that is not whole has no names that were looked up.
+    let names = analysis.index.names(before.word.file, before.word.start);
+    let figure = names.iter().find(|visible| visible.name == before.written(1));
+    let fits = figure.and_then(|figure| shapes::of_figure(&analysis.hir, figure.target));
     let offers = kinds.map(|(kind, detail)| {
         let offer = if has_block {
             Offer::new(kind.name(), Kind::Keyword)
         } else {
             needed::kind_with_block(analysis, before.word, kind)
         };
-        offer.detail(detail)
+        offer.detail(detail).rank(u8::from(fits.is_some_and(|fits| fits != kind)))
     });
     offers.to_vec()
-}
-
-/// What a level can be found by.
-pub(super) fn sizes() -> Vec<Offer> {
-    let sizes = SizeMeasure::ALL.into_iter();
-    sizes
-        .map(|size| Offer::new(size.word(), Kind::Measure).snippet(format!("{} <= ${{1:20mm}}", size.word())))
-        .collect()
-}
-
-/// What such a block can require.
-pub(super) fn measures(kind: Option<SchemaKind>) -> Vec<Offer> {
-    let all = Measure::ALL.into_iter().enumerate();
-    let fitting = all.filter(|(_, measure)| kind.is_none_or(|kind| measure.applies_to(kind)));
-    fitting
-        .map(|(place, measure)| {
-            let (words, example) = (measure.words(), measure.example());
-            Offer::new(words, Kind::Measure)
-                .detail(measure.dimension().name())
-                .docs(format!("```ifs\nrequire {words} {example}\n```"))
-                .snippet(format!("{words} ${{1:{}}}", escaped(example)))
-                .rank(place as u8)
-        })
-        .collect()
 }
 
 /// The settings of a fabricate block that are not given yet, and `require`.
@@ -109,7 +87,7 @@ fn missing(known: &Known<'_>, settings: Vec<Setting>, given: &[String]) -> Vec<O
             let needed = if setting.required { "needed" } else { "may be left out" };
             let value = match &setting.ty {
                 SettingType::Of(Type::Settings(_)) => "{ $0 }",
-                SettingType::Of(Type::Size) => "${1:2500mm} by ${2:1250mm}",
+                SettingType::Of(Type::Size) => &needed::size(setting.name),
                 _ => "$0",
             };
             Offer::new(setting.name, Kind::Field)

@@ -2,6 +2,7 @@
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::hir::schema::SchemaKind;
+use ifs_compiler::hir::types::PointSpace;
 use ifs_compiler::source::Span;
 
 use super::{Kind, Offer, needed};
@@ -88,17 +89,26 @@ pub(super) fn items(analysis: &Analysis, place: Span) -> Vec<Offer> {
     offers
 }
 
-/// What begins a member of an ifs.
-pub(super) fn members() -> Vec<Offer> {
-    statements(&[
-        ("transform", "a smaller copy", "transform ${1:name} = ${2:self on ($3)}"),
+/// What begins a member of an ifs that lives there: a map moves one in the plane or in space, and only one on control
+/// points stands on the boundary of another.
+pub(super) fn members(space: Option<PointSpace>) -> Vec<Offer> {
+    let by_map = matches!(space, Some(PointSpace::Plane | PointSpace::Space));
+    let transform = if by_map {
+        "transform ${1:name} = ${2:scale(1/2)} * self"
+    } else {
+        "transform ${1:name} = ${2:self on ($3)}"
+    };
+    let mut members = statements(&[
+        ("transform", "a smaller copy", transform),
         ("let", "a named point or value", "let ${1:name} = $0"),
         ("germ", "what is drawn at the last level", "germ $0"),
         ("keep", "what is drawn at every level", "keep $0"),
         ("boundary", "an ifs on the end or side of this one", "boundary ${1:start} = $2 on ($3)"),
         ("join", "two boundaries that are the same", "join ${1:left.end} = ${2:right.start}"),
         ("transform […]", "a family of smaller copies", "transform ${1:branch}[${2:i} in ${3:0..3}] = $0"),
-    ])
+    ]);
+    members.retain(|member| !by_map || member.label != "boundary");
+    members
 }
 
 /// What begins a line of a test.

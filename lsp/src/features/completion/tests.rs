@@ -1,5 +1,10 @@
 //! Texts with a cursor, and what is offered there.
 
+mod declarations;
+mod examples;
+mod fabrication;
+mod figures;
+
 use super::*;
 use crate::features::fixture::{fixture, with_files};
 
@@ -184,9 +189,22 @@ fn parts_behind_a_full_stop() {
     first(&format!("{head}let x = [board].$0"), "name thickness");
     first(&format!("{head}let x = p.$0"), "x y z");
     first("let x = 12.$0", "");
+    // Before the rest of brackets that are closed behind.
+    let lists = "record Entry { a: Length }\nlet points = [(1m, 2m)]\nlet records = [Entry(a: 1m)]\n";
+    for rest in ["for p in points]", "> 1m for p in points]", "* 2 for p in points if p.x > 1m]"] {
+        first(&format!("{lists}let x = [p.$0 {rest}"), "x y");
+        first(&format!("{lists}test \"t\" {{\n    assert all([p.$0 {rest})\n}}\n"), "x y");
+    }
+    first(&format!("{lists}let x = [e.$0 for e in records]"), "a");
+    first(&format!("{lists}let x = [[e.$0] for e in records"), "a");
+    let ifs = "ifs a in plane {\n    let p = (1m, 2m)\n    let q = (p.$0\n    germ segment(p, p)\n}";
+    first(ifs, "x y");
     let figure =
         "use std.curves (bezier2)\nfigure f = bezier2 on ((0m, 0m), (1m, 1m), (2m, 0m)) at level 2\n";
     first(&format!("{figure}test \"t\" {{\n    assert f.$0\n}}"), "boards elements vertices");
+    let planks = "use std.materials (sawn_spruce)\nfabricate f as planks {\n    material: sawn_spruce\n    section: 120mm by 40mm\n}\n";
+    let every = "test \"t\" {\n    assert all([p.$0 > 1m for p in f.boards])\n}";
+    first(&format!("{figure}{planks}{every}"), "address alias length");
 }
 
 #[test]
@@ -207,7 +225,7 @@ fn types_and_words_in_their_places() {
     has("figure f = a $0", "on until", "sin");
     has("figure f = a on (p, q) at $0", "level", "sin");
     first("figure f = a until $0", "edge length size");
-    has("let xs = [i $0]", "for in", "sin");
+    has("let xs = [i $0]", "for", "in sin");
     has("let x = if a $0", "then", "else");
     has("param a: Length = 2m $0", "in step", "on");
 }
