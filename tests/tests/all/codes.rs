@@ -268,6 +268,45 @@ fn a_sheet_that_the_machine_cannot_cut() {
 }
 
 #[test]
+fn every_fault_of_a_machine_is_told_once_in_the_units_it_is_written_in() {
+    let text = r#"
+        use std.curves (bezier2)
+        use std.materials (sawn_spruce)
+        use std.machines (Machine, Tool)
+        let cutter = Tool(
+            number: 1, name: "cutter", diameter: 6mm, flute: 40mm,
+            feed: 3m/min, plunge: 1000m/min, spindle: 200000rpm, step_down: 5mm,
+        )
+        let engraver = Tool(
+            number: 2, name: "engraver", diameter: 1mm, flute: 5mm,
+            feed: 1m/min, plunge: 0.5m/min, spindle: 16000rpm, step_down: 0.5mm,
+        )
+        let spare = Tool(
+            number: 3, name: "spare", diameter: 0mm, flute: 40mm,
+            feed: 3m/min, plunge: 1m/min, spindle: 16000rpm, step_down: 5mm,
+        )
+        let own = Machine(
+            name: "workshop", length: 2600mm, width: 1300mm, height: 150mm, work_offset: 60,
+            cutter: cutter, engraver: engraver, spare_cutters: [spare],
+        )
+        figure rail = bezier2 on ((0m, 0m), (0m, 1m), (1m, 1m)) at level 1
+        fabricate rail as planks { material: sawn_spruce section: 120mm by 27mm machine: own }
+    "#;
+    let analysis = analysed(text.as_bytes(), &[]);
+    assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
+    let made = outputs(&analysis, &Selection::all());
+    let [found] = &made.diagnostics[..] else { panic!("{:?}", made.diagnostics) };
+    assert_eq!(found.code, Code::E0804);
+    assert_eq!(found.message, "this machine cannot work: work offset is 60, must be from 54 to 59");
+    let others = [
+        "plunge feed of tool 1 is 1000m/min, must be from 0.0006m/min to 600m/min",
+        "spindle speed of tool 1 is 200000rpm, must be from 1000rpm to 24000rpm",
+        "diameter of tool 3 is 0mm, must be from 0.1mm to 200mm",
+    ];
+    assert_eq!(found.notes, others);
+}
+
+#[test]
 fn a_design_without_figures_is_not_built() {
     for text in ["", "// nothing yet\n", "let width = 27mm\n"] {
         let analysis = analysed(text.as_bytes(), &[]);
