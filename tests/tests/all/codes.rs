@@ -141,6 +141,28 @@ fn a_text_that_is_no_value() {
         assert_eq!(found.code, Code::E0606, "{value}");
         assert!(found.hints.iter().any(|hint| hint.text.contains("--set span=")), "{:?}", found.hints);
     }
+    // An example is a value in the range; a number without a unit gets one that puts it there.
+    let text = b"param span: Length in 1m .. 4m = 2m\nparam lean: Angle in 10deg .. 20deg = 15deg\n\
+                 param count: Int in 5 .. 9 = 7\nparam share: Number in 1/3 .. 2/3 = 1/3\n\
+                 param wide: Bool = true\nlet half = span / 2\n";
+    for (name, value, example) in [
+        ("span", "3", "3m"),
+        ("span", "300", "300cm"),
+        ("span", "9", "2m"),
+        ("span", "3kg", "2m"),
+        ("lean", "12", "12deg"),
+        ("count", "3.5", "7"),
+        ("share", "many", "0.666667"),
+        ("wide", "yes", "true"),
+    ] {
+        let analysis = analysed(text, &[(name, value)]);
+        let all = analysis.diagnostics.iter().filter(|found| found.code == Code::E0606);
+        let hints: Vec<&str> = all.flat_map(|found| &found.hints).map(|hint| hint.text.as_str()).collect();
+        assert_eq!(hints, [format!("write it like `--set {name}={example}`")], "{name}={value}");
+        let set = analysed(text, &[(name, example)]);
+        assert!(!set.diagnostics.iter().any(|found| matches!(found.code, Code::E0606 | Code::E0601)));
+    }
+    let text = b"param span: Length = 6m in 4m .. 9m\nlet half = span / 2\n";
     assert!(analysed(text, &[("span", "7m")]).diagnostics.is_empty());
     // What is set is not worked out, which is said.
     let analysis = analysed(text, &[("span", "6m+200mm")]);
@@ -316,6 +338,22 @@ fn a_design_without_figures_is_not_built() {
         let codes: Vec<Code> = made.diagnostics.iter().map(|found| found.code).collect();
         assert_eq!(codes, [Code::E0807]);
     }
+}
+
+#[test]
+fn a_design_whose_figures_are_empty_lists_is_told_so() {
+    let text = "use std.curves (line)\n\
+                param n: Int in 0 .. 4 = 0\n\
+                figure u = [line on ((0m, 0m), (1m, i * 1m)) at level 1 for i in 0..n]\n\
+                figure v = [line on ((0m, 0m), (1m, i * 1m)) at level 1 for i in 0..n]\n";
+    let analysis = analysed(text.as_bytes(), &[]);
+    assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
+    let made = outputs(&analysis, &Selection::all());
+    let [found] = &made.diagnostics[..] else { panic!("{:?}", made.diagnostics) };
+    assert_eq!(found.code, Code::E0807);
+    assert_eq!(found.message, "there is nothing to build: `u` is an empty list of figures");
+    assert_eq!(&text[found.span.range()], "u");
+    assert_eq!(found.labels.len(), 1, "{found:?}");
 }
 
 /// What is wrong in a design, each with its place.
