@@ -142,14 +142,14 @@ fn a_text_that_is_no_value() {
         assert!(found.hints.iter().any(|hint| hint.text.contains("--set span=")), "{:?}", found.hints);
     }
     // An example is a value in the range; a number without a unit gets one that puts it there.
-    let text = b"param span: Length in 1m .. 4m = 2m\nparam lean: Angle in 10deg .. 20deg = 15deg\n\
-                 param count: Int in 5 .. 9 = 7\nparam share: Number in 1/3 .. 2/3 = 1/3\n\
+    let text = b"param span: Length = 2m in 1m .. 4m\nparam lean: Angle = 15deg in 10deg .. 20deg\n\
+                 param count: Int = 7 in 5 .. 9\nparam share: Number = 1/3 in 1/3 .. 2/3\n\
                  param wide: Bool = true\nlet half = span / 2\n";
     for (name, value, example) in [
         ("span", "3", "3m"),
         ("span", "300", "300cm"),
-        ("span", "9", "2m"),
-        ("span", "3kg", "2m"),
+        ("span", "9", "2000mm"),
+        ("span", "3kg", "2000mm"),
         ("lean", "12", "12deg"),
         ("count", "3.5", "7"),
         ("share", "many", "0.666667"),
@@ -343,7 +343,7 @@ fn a_design_without_figures_is_not_built() {
 #[test]
 fn a_design_whose_figures_are_empty_lists_is_told_so() {
     let text = "use std.curves (line)\n\
-                param n: Int in 0 .. 4 = 0\n\
+                param n: Int = 0 in 0 .. 4\n\
                 figure u = [line on ((0m, 0m), (1m, i * 1m)) at level 1 for i in 0..n]\n\
                 figure v = [line on ((0m, 0m), (1m, i * 1m)) at level 1 for i in 0..n]\n";
     let analysis = analysed(text.as_bytes(), &[]);

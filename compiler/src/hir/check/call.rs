@@ -290,8 +290,7 @@ fn divided_by_call(callee: &ast::Expr) -> Option<Diagnostic> {
     let (over, under) = unit.suffix().split_once('/')?;
     let message = format!("`{digits}{}` is a number with a unit, and no function", unit.suffix());
     let diagnostic = Diagnostic::new(Code::E0408, callee.span, message).label("not a function");
-    let sign = callee.span.end - under.len() as u32 - 1;
-    let sign = Span::new(callee.span.file, sign, sign + 1);
-    let title = format!("to divide by what `{under}(…)` gives, write `{digits}{over} / {under}(…)`");
-    Some(diagnostic.fix(title, sign, " / "))
+    let quotient = format!("{digits}{over} / {under}");
+    let hint = format!("to divide by what `{under}(…)` gives, write `{quotient}(…)`");
+    Some(diagnostic.fix(hint, callee.span, quotient))
 }
