@@ -7,8 +7,10 @@ mod completions;
 mod diagnostics;
 mod hierarchy;
 mod neighbours;
+mod patience;
 mod progress;
 mod publish;
+mod renaming;
 mod shown;
 mod tokens;
 mod told;
@@ -464,9 +466,7 @@ impl LanguageServer for Backend {
         params: TextDocumentPositionParams,
     ) -> Result<Option<PrepareRenameResponse>> {
         let prepared = self
-            .ask(&params.text_document.uri, move |snapshot| {
-                answers::prepare_rename(snapshot, params.position)
-            })
+            .ask(&params.text_document.uri, move |snapshot| renaming::prepare(snapshot, params.position))
             .await?;
         prepared.map(Some).map_err(said)
     }
@@ -475,7 +475,7 @@ impl LanguageServer for Backend {
         let at = params.text_document_position;
         let new = params.new_name;
         let renamed = self
-            .ask(&at.text_document.uri, move |snapshot| answers::rename(snapshot, at.position, &new))
+            .ask(&at.text_document.uri, move |snapshot| renaming::rename(snapshot, at.position, &new))
             .await?;
         renamed.map(Some).map_err(said)
     }

@@ -1,5 +1,6 @@
 //! A fabricate block worked out: the figure's elements as boards or planks, planarized first where that is asked for.
 
+mod flat;
 mod materials;
 mod nest;
 mod panels;
@@ -19,7 +20,7 @@ use crate::fabricate::label::Label;
 use crate::fabricate::panel::{Corner, Panel, PanelRefusal, PanelSettings, RefusedPanel};
 use crate::fabricate::plank::{Plank, PlankRefusal, PlankSettings, RefusedPlank};
 use crate::geometry::QuadMesh;
-use crate::hir::evaluate::Evaluator;
+use crate::hir::evaluate::{Evaluator, Planarizing};
 use crate::hir::schema::{Measure, SchemaKind};
 use crate::hir::tree::{Fabricate, Hir};
 use crate::hir::value::Value;
@@ -174,7 +175,7 @@ pub(super) fn fabricate(
     (block, machine): (&Fabricate, Option<&Value>),
     watch: &mut dyn Watch,
 ) -> (Option<Fabrication>, Vec<Diagnostic>) {
-    let leave_unplanarized = evaluator.leaves_unplanarized();
+    let planarizing = evaluator.planarizing().clone();
     let mut work = Work {
         hir,
         plan,
@@ -184,7 +185,7 @@ pub(super) fn fabricate(
         scale: 1.0,
         settings: Vec::new(),
         diagnostics: Vec::new(),
-        leave_unplanarized,
+        planarizing,
     };
     let made = work.run(evaluator);
     (made, work.diagnostics)
@@ -199,7 +200,7 @@ struct Work<'a> {
     scale: f64,
     settings: Vec<SettingValue>,
     diagnostics: Vec<Diagnostic>,
-    leave_unplanarized: bool,
+    planarizing: Planarizing,
 }
 
 impl Work<'_> {

@@ -182,6 +182,7 @@ codes! {
     E0819 Error "`require area` fails",
     E0820 Error "a setting of the other method of planarizing",
     W0826 Warning "planarizing moved vertices far",
+    W0827 Warning "planarizing did not reach its aim",
     E0830 Error "`require angle` fails",
     E0831 Error "`require bevel` fails",
     E0832 Error "`require mass` fails",

@@ -41,26 +41,71 @@ pub enum ChoiceKind {
 pub struct Word {
     /// As written.
     pub name: &'static str,
+    /// What it says.
+    pub doc: &'static str,
 }
 
-const fn word(name: &'static str) -> Word {
-    Word { name }
+const fn word(name: &'static str, doc: &'static str) -> Word {
+    Word { name, doc }
 }
 
 impl ChoiceKind {
     /// Its words in order; a value of the choice is an index into them.
     pub fn words(self) -> &'static [Word] {
-        const SIDE: &[Word] = &[word("inner"), word("centred"), word("outer")];
-        const GRAIN: &[Word] = &[word("u"), word("v"), word("free")];
-        const EDGES: &[Word] = &[word("square"), word("bevelled"), word("stepped")];
-        const ENDS: &[Word] = &[word("square"), word("mitred")];
-        const PIN: &[Word] = &[word("boundary"), word("none"), word("corners")];
-        const CLOSED: &[Word] = &[word("u"), word("v"), word("uv")];
-        const METHOD: &[Word] = &[word("perturbation"), word("projection")];
-        const DIALECT: &[Word] = &[word("linuxcnc"), word("grbl"), word("fanuc")];
-        const CUT_DIRECTION: &[Word] = &[word("climb"), word("conventional")];
-        const Z_ZERO: &[Word] = &[word("top_of_stock"), word("table")];
-        const PROGRAMS: &[Word] = &[word("both"), word("boards"), word("sheets")];
+        const SIDE: &[Word] = &[
+            word("inner", "the design surface is the inner face of the boards"),
+            word("centred", "the design surface lies in the middle of the thickness"),
+            word("outer", "the design surface is the outer face of the boards"),
+        ];
+        const GRAIN: &[Word] = &[
+            word("u", "the grain runs along the first direction of the surface"),
+            word("v", "the grain runs along the second direction of the surface"),
+            word("free", "the grain may run in any direction: boards lie as they fit best"),
+        ];
+        const EDGES: &[Word] = &[
+            word("square", "cut square to the face of the board"),
+            word("bevelled", "cut to the plane that halves the angle to the neighbour"),
+            word("stepped", "bevels in steps, as a mill with three axes can cut them"),
+        ];
+        const ENDS: &[Word] = &[
+            word("square", "joints are cut square to the plank"),
+            word("mitred", "joints are cut to half the angle that the curve turns by"),
+        ];
+        const PIN: &[Word] = &[
+            word("boundary", "vertices on the border of the surface stay in place"),
+            word("none", "every vertex may move"),
+            word("corners", "the corners of the surface stay in place"),
+        ];
+        const CLOSED: &[Word] = &[
+            word("u", "round in the first direction"),
+            word("v", "round in the second direction"),
+            word("uv", "round in both directions"),
+        ];
+        const METHOD: &[Word] = &[
+            word(
+                "perturbation",
+                "the method of the paper: vertices are moved where that makes the quads flatter",
+            ),
+            word("projection", "the fast one: each quad is projected to a plane, and vertices go between"),
+        ];
+        const DIALECT: &[Word] = &[
+            word("linuxcnc", "programs for LinuxCNC"),
+            word("grbl", "programs for Grbl, one for each tool, since it changes none"),
+            word("fanuc", "programs for Fanuc, with line numbers"),
+        ];
+        const CUT_DIRECTION: &[Word] = &[
+            word("climb", "the cutter turns with its way along the edge"),
+            word("conventional", "the cutter turns against its way along the edge"),
+        ];
+        const Z_ZERO: &[Word] = &[
+            word("top_of_stock", "Z is zero at the top of the raw board"),
+            word("table", "Z is zero at the table below the raw board"),
+        ];
+        const PROGRAMS: &[Word] = &[
+            word("both", "each board alone gets a program, and each sheet"),
+            word("boards", "each board alone gets a program"),
+            word("sheets", "each sheet gets a program for all of its boards"),
+        ];
         match self {
             ChoiceKind::Programs => PROGRAMS,
             ChoiceKind::Dialect => DIALECT,

@@ -23,6 +23,9 @@ const EXACT_BUDGET: usize = 100_000;
 /// Longest words whose spectral radius is looked at.
 const LONGEST_REFUTATION: u32 = 64;
 
+/// How finely bounds in the 2-norm are told.
+const BOUND_PARTS: u32 = 1 << 16;
+
 /// The norm a proof is stated in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Norm {
@@ -89,26 +92,30 @@ fn rounded_up(value: &Rational) -> f64 {
 }
 
 /// A proof with words of one letter in the 2-norm, in which scaled rotations contract at once; its bound is the least
-/// multiple of 1/256 that can be proved.
+/// multiple of 1/[`BOUND_PARTS`] that can be proved.
 fn euclidean_proof(automaton: &Automaton, state: StateId) -> Option<Contraction> {
     let edges = edges(automaton, state, frame_operator);
     let work = |edge: &Edge| {
-        8 * edge.operator.columns().saturating_pow(2) * (edge.operator.rows() + edge.operator.columns())
+        16 * edge.operator.columns().saturating_pow(2) * (edge.operator.rows() + edge.operator.columns())
     };
     if edges.iter().map(work).fold(0, usize::saturating_add) > EXACT_BUDGET {
         return None;
     }
     let holds = |parts: u32| {
-        let bound = Rational::new(i64::from(parts), 256)?;
+        let bound = Rational::new(i64::from(parts), i64::from(BOUND_PARTS))?;
         edges.iter().all(|edge| euclidean_norm_below(&edge.operator, &bound)).then_some(())
     };
-    let (mut fails, mut proved) = (0, 255);
+    let (mut fails, mut proved) = (0, BOUND_PARTS - 1);
     holds(proved)?;
     while proved - fails > 1 {
         let middle = (fails + proved) / 2;
         if holds(middle).is_some() { proved = middle } else { fails = middle }
     }
-    Some(Contraction::Proved { length: 1, bound: f64::from(proved) / 256.0, norm: Norm::Euclidean })
+    Some(Contraction::Proved {
+        length: 1,
+        bound: f64::from(proved) / f64::from(BOUND_PARTS),
+        norm: Norm::Euclidean,
+    })
 }
 
 /// A product of difference operators in doubles, with a bound of its distance from the exact product.

@@ -2,8 +2,9 @@
 
 use crate::exact::Rational;
 
-use super::automaton::{Automaton, StateId, Transform};
+use super::automaton::{Automaton, StateId, StateSpace, Transform};
 use super::matrix::Matrix;
+use super::spectrum::euclidean_norm;
 
 /// The matrix L with D·T = L·D, where D takes forward differences: as rows of T sum to 1, `T·P` differs between
 /// neighbouring rows only by differences of P. (m−1) × (n−1); L[i][j] = Σ_{c>j} T[i+1][c] − T[i][c].
@@ -34,6 +35,17 @@ pub(super) fn frame_operator(transform: &Matrix) -> Matrix {
 /// points grows by more in one step.
 pub fn difference_norm(transform: &Transform) -> Rational {
     forward_difference_operator(&transform.matrix).infinity_norm()
+}
+
+/// By how much lengths grow at most in one step: for maps of the plane or of space the 2-norm of the linear part, else the
+/// largest growth of a difference of neighbouring control points, [`difference_norm`].
+pub fn step_factor(automaton: &Automaton, state: StateId, transform: &Transform) -> f64 {
+    let framed = |id: StateId| automaton.state(id).space != StateSpace::Control;
+    if framed(state) && framed(transform.target) {
+        euclidean_norm(&frame_operator(&transform.matrix))
+    } else {
+        difference_norm(transform).to_f64()
+    }
 }
 
 /// One step between two states with its difference operator.

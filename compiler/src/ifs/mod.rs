@@ -25,7 +25,7 @@ pub use automaton::{
 };
 pub use contraction::{Contraction, Norm, WORD_BUDGET, contraction};
 pub use count::{Count, Drawn, count, drawn};
-pub use difference::difference_norm;
+pub use difference::{difference_norm, step_factor};
 pub use germ::{Germ, GermShape};
 pub use joins::{Joins, OpenJoin, ROUNDING, is_rounding, joins, windows_join};
 pub use matrix::{Matrix, MatrixError};

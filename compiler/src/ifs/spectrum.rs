@@ -51,6 +51,22 @@ fn characteristic_polynomial(matrix: &Matrix) -> Option<Vec<Rational>> {
     Some(coefficients)
 }
 
+/// The 2-norm of `matrix` to about nine digits, by halving what [`euclidean_norm_below`] decides.
+pub(super) fn euclidean_norm(matrix: &Matrix) -> f64 {
+    let is_below =
+        |bound: f64| Rational::from_f64(bound).is_none_or(|bound| euclidean_norm_below(matrix, &bound));
+    let mut above = 1.0;
+    while !is_below(above) {
+        above *= 2.0;
+    }
+    let mut below = 0.0;
+    for _ in 0..30 {
+        let middle = f64::midpoint(below, above);
+        if is_below(middle) { above = middle } else { below = middle }
+    }
+    f64::midpoint(below, above)
+}
+
 /// Whether the 2-norm of `matrix` is below `bound`, decided exactly: `bound²·I − AᵀA` is positive definite when every
 /// pivot of its elimination is above 0.
 pub(super) fn euclidean_norm_below(matrix: &Matrix, bound: &Rational) -> bool {

@@ -3,21 +3,23 @@
 use std::collections::BTreeMap;
 
 use ifs_compiler::analysis::Analysis;
-use ifs_compiler::hir::index::Target;
+use ifs_compiler::hir::index::{DeclarationKind, Target};
+use ifs_compiler::hir::tree::ItemKind;
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
 
 use super::symbols::{Symbol, symbols};
 
-/// The function, ifs or other item that is named at a place: where its name is declared.
+/// The function, ifs or figure that is named at a place: where its name is declared.
 pub(crate) fn called_at(analysis: &Analysis, file: FileId, offset: u32) -> Option<Span> {
     let Target::Declared(span) = analysis.index.name_at(file, offset)?.target else { return None };
-    is_item(analysis, span).then_some(span)
+    (goes_on(analysis, span) || is_figure(analysis, span)).then_some(span)
 }
 
-fn is_item(analysis: &Analysis, name: Span) -> bool {
-    let own = analysis.index.module(name.file).into_iter().flat_map(|module| &module.own);
-    own.into_iter().any(|known| known.target == Target::Declared(name))
+/// Whether an item is a figure: it goes on with others, and none goes on with it.
+fn is_figure(analysis: &Analysis, name: Span) -> bool {
+    matches!(analysis.index.declaration(name).map(|found| found.kind), Some(DeclarationKind::Item(id))
+        if matches!(analysis.hir.item(id).kind, ItemKind::Figure(_)))
 }
 
 /// Whether an item is one that others go on with: a function or an ifs.
@@ -62,6 +64,9 @@ pub(crate) fn outgoing(analysis: &Analysis, name: Span) -> BTreeMap<Span, Vec<Sp
 /// The items that use a function or an ifs, by where their names stand, with every place. An import is no use.
 pub(crate) fn incoming(analysis: &Analysis, name: Span) -> BTreeMap<Span, (Symbol, Vec<Span>)> {
     let mut found: BTreeMap<Span, (Symbol, Vec<Span>)> = BTreeMap::new();
+    if !goes_on(analysis, name) {
+        return found;
+    }
     for used in analysis.index.uses(Target::Declared(name)) {
         if let Some(symbol) = item_around(analysis, used) {
             found.entry(symbol.name_span).or_insert_with(|| (symbol, Vec::new())).1.push(used);
@@ -91,6 +96,9 @@ mod tests {
         let name = called_at(analysis, analysis.root, place).unwrap();
         assert_eq!(words(incoming(analysis, name).keys().collect()), ["all"]);
         assert_eq!(words(outgoing(analysis, name).keys().collect()), ["smooth"]);
+        let name = called_at(analysis, analysis.root, GRAPH.find("all =").unwrap() as u32).unwrap();
+        assert_eq!(words(outgoing(analysis, name).keys().collect()), ["place"]);
+        assert!(incoming(analysis, name).is_empty());
         assert_eq!(called_at(analysis, analysis.root, GRAPH.find("let b").unwrap() as u32 + 4), None);
     }
 }

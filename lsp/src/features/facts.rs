@@ -1,10 +1,9 @@
-//! What a worked-out design knows of a name: values of parameters, counts, levels, sizes and planarity of figures. In words,
+//! What is known of a name beyond its type: values of parameters and of `let`, counts, levels, sizes and planarity of figures. In words,
 //! as Markdown. Of an ifs and its transforms speaks `states`.
 
 use ifs_compiler::analysis::{Analysis, Elements};
-use ifs_compiler::hir::evaluate::Overrides;
+use ifs_compiler::hir::evaluate::{Evaluator, Overrides, value_words};
 use ifs_compiler::hir::tree::{ItemId, ItemKind};
-use ifs_compiler::outputs::parameter_texts;
 use ifs_compiler::plan::size::SizeRange;
 
 use super::{sizes, states};
@@ -27,16 +26,18 @@ impl WorkedOut<'_> {
     }
 }
 
-/// What was made of a parameter, a figure or an ifs.
+/// The value of a parameter or of a `let`, what was made of a figure, how much an ifs contracts.
 pub(super) fn of_item(analysis: &Analysis, known: WorkedOut<'_>, id: ItemId) -> Option<String> {
     let item = analysis.hir.item(id);
     if let ItemKind::Ifs(_) = item.kind {
         return states::of_ifs(analysis, known, id);
     }
-    let made = known.made?;
-    let value = parameter_texts(made).into_iter().find(|(parameter, _)| *parameter == item.name);
-    let value = value.map(|(_, value)| format!("value `{value}`"));
-    Some(known.dated(value.or_else(|| of_figure(made, &item.name))?))
+    if let ItemKind::Figure(_) = item.kind {
+        return Some(known.dated(of_figure(known.made?, &item.name)?));
+    }
+    let value = Evaluator::new(&analysis.hir, known.overrides).global(id).ok()?;
+    let ty = &analysis.index.declaration(item.name_span)?.ty;
+    Some(format!("value `{}`", value_words(&value, ty)?))
 }
 
 fn of_figure(made: &Analysis, name: &str) -> Option<String> {
@@ -99,12 +100,28 @@ mod tests {
     }
 
     #[test]
+    fn values_of_names() {
+        for (text, value) in [
+            ("let a = 27mm\nlet ha$0lf = a / 2\n", "13.5mm"),
+            ("let li$0st = [i * 2 for i in 0..3]\nlet wrong = 2m +", "[0, 2, 4]"),
+            ("let pla$0ce = (1m, 0m, -2mm)\n", "(1000mm, 0mm, -2mm)"),
+            ("let tex$0t = \"a\"\n", "\"a\""),
+        ] {
+            let found = shown(text);
+            assert!(found.contains(&format!("value `{value}`")), "{found}");
+        }
+        let found = shown("use std.curves (bezier3)\nlet cur$0ve = bezier3\n");
+        assert!(!found.contains("value"), "{found}");
+    }
+
+    #[test]
     fn what_was_made_before_a_change_is_told_as_that() {
-        let design = fixture("param w$0idth: Length = 2m in 1m .. 3m\n");
+        let design =
+            fixture("use std.curves (line)\nfigure ro$0d = line on ((0m, 0m), (4m, 2m)) at level 3\n");
         let made = design.made();
         let mut known = design.known(Some(&made));
         known.current = false;
         let text = hover(&design.analysis, known, design.analysis.root, design.at).unwrap().markdown;
-        assert!(text.ends_with("*before the last changes:*\n\nvalue `2000mm`"), "{text}");
+        assert!(text.contains("*before the last changes:*\n\n8 elements"), "{text}");
     }
 }

@@ -14,7 +14,7 @@ pub(crate) fn edits(analysis: &Analysis, file: FileId) -> Option<Vec<(Span, Stri
 }
 
 /// The lines that differ between the first and the last that are the same, as one edit.
-fn line_edits(file: FileId, old: &str, new: &str) -> Vec<(Span, String)> {
+pub(crate) fn line_edits(file: FileId, old: &str, new: &str) -> Vec<(Span, String)> {
     if old == new {
         return Vec::new();
     }

@@ -2,6 +2,7 @@
 //! was measured. Each kind is a function of its own.
 
 use ifs_compiler::analysis::{Analysis, Elements, value_words};
+use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::hir::index::Target;
 use ifs_compiler::hir::schema::Measure;
 use ifs_compiler::hir::type_names::type_name;
@@ -10,6 +11,7 @@ use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
 
 use super::lens::{counted, fabricated, worst_planarity};
+use super::sums;
 use super::walk::expressions;
 use super::words::written;
 
@@ -32,12 +34,17 @@ pub(crate) struct Hint {
 }
 
 /// The hints of a part of a file; `made` is the design worked out as it is now.
-pub(crate) fn hints(analysis: &Analysis, made: Option<&Analysis>, part: Span) -> Vec<Hint> {
+pub(crate) fn hints(
+    analysis: &Analysis,
+    overrides: &Overrides,
+    made: Option<&Analysis>,
+    part: Span,
+) -> Vec<Hint> {
     let Some(parsed) = analysis.files.iter().find(|parsed| parsed.file == part.file) else {
         return Vec::new();
     };
     let tree = &parsed.parse.ast;
-    let mut hints = types(analysis, tree);
+    let mut hints = types(analysis, overrides, tree, part);
     hints.extend(arguments(analysis, tree));
     if let Some(made) = made {
         hints.extend(counts(made, tree));
@@ -50,54 +57,68 @@ pub(crate) fn hints(analysis: &Analysis, made: Option<&Analysis>, part: Span) ->
     hints
 }
 
-/// The types of `let` that say none, but for those that are seen at a glance.
-fn types(analysis: &Analysis, tree: &ast::File) -> Vec<Hint> {
-    let lets = tree.items.iter().flat_map(|item| -> Vec<&ast::Let> {
-        match &item.kind {
-            ast::ItemKind::Let(value) => vec![value],
-            ast::ItemKind::Ifs(ifs) => ifs
-                .members
-                .iter()
-                .filter_map(|member| match &member.kind {
-                    ast::MemberKind::Let(value) => Some(value),
-                    _ => None,
-                })
-                .collect(),
-            ast::ItemKind::Test(test) => test
-                .steps
-                .iter()
-                .filter_map(|step| match step {
-                    ast::TestStep::Let(value) => Some(value),
-                    _ => None,
-                })
-                .collect(),
+/// The types of `let` that say none, but for those that are seen at a glance. A sum of control points is a point or a vector
+/// by its weights.
+fn types(analysis: &Analysis, overrides: &Overrides, tree: &ast::File, part: Span) -> Vec<Hint> {
+    let items = tree.items.iter().filter(|item| item.span.start <= part.end && part.start <= item.span.end);
+    let hints = items.flat_map(|item| {
+        let sums = match &item.kind {
+            ast::ItemKind::Ifs(ifs) => sums::of_ifs(analysis, overrides, ifs),
             _ => Vec::new(),
-        }
-    });
-    let hints = lets.filter(|value| value.ty.is_none() && !is_plain(&value.value)).filter_map(|value| {
-        let ty = &analysis.index.declaration(value.name.span)?.ty;
-        let name = type_name(&analysis.hir.items, ty);
-        // What has no name in the language cannot be written.
-        let writable = !matches!(
-            ty,
-            Type::WeightedSum(_)
-                | Type::Weighted(_)
-                | Type::IntRange
-                | Type::Size
-                | Type::Choice(_)
-                | Type::Settings(_)
-                | Type::Material
-                | Type::Germ
-        ) && !name.contains(['^', ' ', '/']);
-        let hint = format!(": {name}");
-        (*ty != Type::Error).then(|| Hint {
-            at: value.name.span.end,
-            insert: writable.then(|| hint.clone()),
-            text: hint,
-            kind: Kind::Type,
+        };
+        let lets = lets(item).into_iter().filter(|value| value.ty.is_none() && !is_plain(&value.value));
+        lets.filter_map(move |value| {
+            let sum = sums.iter().find(|(name, _)| *name == value.name.span);
+            let known = &analysis.index.declaration(value.name.span)?.ty;
+            type_hint(analysis, value, sum.and_then(|(_, sum)| sum.ty.as_ref()).unwrap_or(known))
         })
     });
     hints.collect()
+}
+
+/// The `let` of an item, and those inside of it.
+fn lets(item: &ast::Item) -> Vec<&ast::Let> {
+    match &item.kind {
+        ast::ItemKind::Let(value) => vec![value],
+        ast::ItemKind::Ifs(ifs) => {
+            let members = ifs.members.iter().filter_map(|member| match &member.kind {
+                ast::MemberKind::Let(value) => Some(value),
+                _ => None,
+            });
+            members.collect()
+        }
+        ast::ItemKind::Test(test) => {
+            let steps = test.steps.iter().filter_map(|step| match step {
+                ast::TestStep::Let(value) => Some(value),
+                _ => None,
+            });
+            steps.collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn type_hint(analysis: &Analysis, value: &ast::Let, ty: &Type) -> Option<Hint> {
+    let name = type_name(&analysis.hir.items, ty);
+    // What has no name in the language cannot be written.
+    let writable = !matches!(
+        ty,
+        Type::WeightedSum(_)
+            | Type::Weighted(_)
+            | Type::IntRange
+            | Type::Size
+            | Type::Choice(_)
+            | Type::Settings(_)
+            | Type::Material
+            | Type::Germ
+    ) && !name.contains(['^', ' ', '/']);
+    let hint = format!(": {name}");
+    (*ty != Type::Error).then(|| Hint {
+        at: value.name.span.end,
+        insert: writable.then(|| hint.clone()),
+        text: hint,
+        kind: Kind::Type,
+    })
 }
 
 /// Whether a value says its type itself: a number, a text, a truth, a record.
@@ -239,7 +260,12 @@ mod tests {
         let analysis = &design.analysis;
         let text = &analysis.sources.get(analysis.root).unwrap().text;
         let made = made.then(|| design.made());
-        let all = hints(analysis, made.as_ref(), Span::new(analysis.root, 0, text.len() as u32));
+        let all = hints(
+            analysis,
+            &Overrides::default(),
+            made.as_ref(),
+            Span::new(analysis.root, 0, text.len() as u32),
+        );
         let mut shown = text.clone();
         for hint in all.iter().rev() {
             shown.insert_str(hint.at as usize, &format!("‹{}›", hint.text));
@@ -252,6 +278,16 @@ mod tests {
         let text = "fn f(width: Length, n: Int, tall: Bool = true) -> Length = width * n\nlet a = 2m\nlet b = a * a\nlet c: Length = f(a, 3, true)\nlet width = f(width: a, n: 2)\nlet d = f(width, 2, tall: false)\nlet e = [sqrt(b)]\nlet broken = ";
         let expected = "fn f(width: Length, n: Int, tall: Bool = true) -> Length = width * n\nlet a = 2m\nlet b‹: Area› = a * a\nlet c: Length = f(‹width:›a, 3, ‹tall:›true)\nlet width‹: Length› = f(width: a, n: 2)\nlet d‹: Length› = f(width, 2, tall: false)\nlet e‹: [Length]› = [sqrt(b)]\nlet broken = ";
         assert_eq!(shown(&fixture(text), false), expected);
+    }
+
+    #[test]
+    fn sums_of_control_points() {
+        let text = "ifs s(t: Number) on (a, b, c) {\n    let m = (a + b) / 2\n    let n = (1 - t) * a + t * b\n    let v = c - a\n    let w = a + c\n    transform l = self on (a, m, n)\n    germ segment(a, c)\n}\n";
+        let shown = shown(&fixture(text), false);
+        for part in ["let m‹: Point›", "let n‹: Point›", "let v‹: Vector›", "let w‹: weighted sum of points›"]
+        {
+            assert!(shown.contains(part), "{part} in\n{shown}");
+        }
     }
 
     #[test]

@@ -12,9 +12,9 @@ use ifs_compiler::syntax::ast;
 
 use super::boards::board;
 use super::facts::{self, WorkedOut};
-use super::keywords::keyword;
-use super::states;
+use super::keywords::{built_in_type, keyword};
 use super::words::one_spaced;
+use super::{states, sums};
 
 /// Words on a place, as Markdown.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,7 +33,8 @@ pub(crate) fn hover(analysis: &Analysis, known: WorkedOut<'_>, file: FileId, off
     if let Some((span, markdown)) = known.made.and_then(|made| board(analysis, made, file, offset)) {
         return Some(Hover { span, markdown: known.dated(markdown) });
     }
-    if let Some((span, markdown)) = keyword(analysis, file, offset) {
+    let word = keyword(analysis, file, offset).or_else(|| built_in_type(analysis, file, offset));
+    if let Some((span, markdown)) = word {
         return Some(Hover { span, markdown });
     }
     let (span, ty) = analysis.index.type_at(file, offset)?;
@@ -93,7 +94,14 @@ fn declared(analysis: &Analysis, known: WorkedOut<'_>, declaration: &Declaration
             text
         }
         DeclarationKind::ControlPoint => format!("{}\ncontrol point", typed("")),
-        DeclarationKind::Local => typed("let"),
+        DeclarationKind::Local => match sums::named(analysis, known.overrides, declaration.span) {
+            Some(sum) => {
+                let ty = type_name(&analysis.hir.items, sum.ty.as_ref().unwrap_or(&declaration.ty));
+                let declared = code(&format!("let {}: {ty}", declaration.name));
+                format!("{declared}\n---\nweights `{}`", sum.weights)
+            }
+            None => typed("let"),
+        },
         DeclarationKind::Running => typed("for"),
         DeclarationKind::Transform(owner) => {
             let ifs = &analysis.hir.item(owner).name;
@@ -178,19 +186,24 @@ fn module(analysis: &Analysis, file: FileId) -> Option<String> {
 
 fn setting(analysis: &Analysis, kind: SchemaKind, name: &str) -> Option<String> {
     let setting = kind.setting(name)?;
-    let ty = match &setting.ty {
-        SettingType::Of(ty) => type_name(&analysis.hir.items, ty),
-        SettingType::Library(record) => (*record).to_owned(),
+    let (ty, words) = match &setting.ty {
+        SettingType::Of(Type::Choice(choice)) => {
+            let words = choice.words().iter().map(|word| format!("\n- `{}`: {}", word.name, word.doc));
+            (choice.words().iter().map(|word| word.name).collect::<Vec<_>>().join(" | "), words.collect())
+        }
+        SettingType::Of(ty) => (type_name(&analysis.hir.items, ty), String::new()),
+        SettingType::Library(record) => ((*record).to_owned(), String::new()),
     };
     let needed = if setting.required { "needed" } else { "may be left out" };
-    Some(format!("{}\n---\n{}; {needed}", code(&format!("{name}: {ty}")), setting.doc))
+    Some(format!("{}\n---\n{}; {needed}{words}", code(&format!("{name}: {ty}")), setting.doc))
 }
 
 fn of_measure(measure: Measure) -> String {
-    code(&format!("require {}: {}", measure.words(), measure.dimension().name()))
+    let declared = code(&format!("require {}: {}", measure.words(), measure.dimension().name()));
+    format!("{declared}\n---\n{}", measure.doc())
 }
 
 fn choice(kind: ChoiceKind, place: usize) -> Option<String> {
     let word = kind.words().get(place)?;
-    Some(code(word.name))
+    Some(format!("{}\n---\n{}", code(word.name), word.doc))
 }

@@ -1,8 +1,10 @@
 //! What the words of the language mean, in a line each. Names are not among them: what they stand for is said of them.
 
 use ifs_compiler::analysis::Analysis;
+use ifs_compiler::hir::dimension::{Dimension, unit_worth};
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::TokenKind;
+use ifs_compiler::syntax::ast::Unit;
 
 use super::words::written;
 
@@ -32,7 +34,9 @@ const WORDS: &[(&str, &str)] = &[
     ("not", "True where what follows is not."),
     ("on", "The points that an ifs is placed on, or in its head the control points that it has."),
     ("or", "One of both is true; the second is not worked out where the first is."),
+    ("panels", "Boards of the quads of a surface: `fabricate roof as panels { … }`."),
     ("param", "A number of the design that can be set from outside, with its range and step."),
+    ("planks", "Straight pieces of the segments of a curve: `fabricate arch as planks { … }`."),
     ("pub", "What follows can be used by other files too."),
     ("record", "A type with fields."),
     ("require", "What must be true of every board, else the design is not built."),
@@ -46,23 +50,75 @@ const WORDS: &[(&str, &str)] = &[
     ("use", "Takes names from a module of the library or from another file."),
 ];
 
+/// Types that the language has of its own, but for quantities.
+const TYPES: &[(&str, &str)] = &[
+    ("Int", "A whole number."),
+    ("Bool", "`true` or `false`."),
+    ("Text", "Letters between quotes."),
+    (
+        "Point",
+        "A place: of control points, an affine combination of them; of coordinates, two or three lengths.",
+    ),
+    ("Vector", "The difference of two points."),
+    ("Map", "An affine map of the plane or of space: `translate`, `rotate`, `scale`, and products of them."),
+    ("Plane", "A plane of space: `plane(point, normal)`."),
+    ("Cut", "How the free end of a plank is cut: `square`, or `cut(plane)`."),
+    ("Ifs", "An iterated function system that is not placed on points yet."),
+    ("Germ", "What an ifs draws at the last level."),
+    ("Curve", "A figure whose segments are proved to join: planks can be made of it."),
+    ("Surface", "A figure of quads that are proved to join: panels can be made of it."),
+    ("Figure", "An ifs at a level, on points: what is drawn."),
+    ("Dialect", "The language of a machine's programs."),
+    ("CutDirection", "Which way the cutter turns along an edge."),
+    ("ZZero", "Where a program's Z is zero."),
+];
+
 /// The word of the language at a place, and what it means.
 pub(super) fn keyword(analysis: &Analysis, file: FileId, offset: u32) -> Option<(Span, String)> {
+    let (span, word) = word(analysis, file, offset)?;
+    let (_, meaning) = WORDS.iter().find(|(known, _)| *known == word)?;
+    Some((span, meant(word, meaning)))
+}
+
+/// The type of the language at a place, and what it means.
+pub(super) fn built_in_type(analysis: &Analysis, file: FileId, offset: u32) -> Option<(Span, String)> {
+    let (span, word) = word(analysis, file, offset)?;
+    Some((span, meant(word, &type_meaning(word)?)))
+}
+
+fn type_meaning(name: &str) -> Option<String> {
+    if let Some((_, meaning)) = TYPES.iter().find(|(known, _)| *known == name) {
+        return Some((*meaning).to_owned());
+    }
+    let dimension = Dimension::named(name)?;
+    if dimension == Dimension::NUMBER {
+        return Some("A number without a unit.".to_owned());
+    }
+    let units = Unit::ALL.iter().filter(|unit| unit_worth(**unit).0 == dimension);
+    let units: Vec<String> = units.map(|unit| format!("`{}`", unit.suffix())).collect();
+    Some(match units.is_empty() {
+        true => format!("A quantity, in {}.", dimension.display_unit().0),
+        false => format!("A quantity, in {}.", units.join(", ")),
+    })
+}
+
+fn word(analysis: &Analysis, file: FileId, offset: u32) -> Option<(Span, &str)> {
     let parse = &analysis.files.iter().find(|parsed| parsed.file == file)?.parse;
     let token = parse.tokens.iter().find(|token| token.span.start <= offset && offset < token.span.end)?;
-    if token.kind != TokenKind::Name && !token.kind.is_keyword() {
-        return None;
-    }
-    let word = written(analysis, token.span);
-    let (_, meaning) = WORDS.iter().find(|(known, _)| *known == word)?;
-    Some((token.span, format!("```ifs\n{word}\n```\n---\n{meaning}")))
+    let is_word = token.kind == TokenKind::Name || token.kind.is_keyword();
+    is_word.then(|| (token.span, written(analysis, token.span)))
+}
+
+fn meant(word: &str, meaning: &str) -> String {
+    format!("```ifs\n{word}\n```\n---\n{meaning}")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{TokenKind, WORDS};
+    use super::{TokenKind, WORDS, type_meaning};
     use crate::features::fixture::fixture;
     use crate::features::hover::hover;
+    use ifs_compiler::hir::type_names::type_names;
 
     fn shown(text: &str) -> String {
         let design = fixture(text);
@@ -79,6 +135,9 @@ mod tests {
         assert!(WORDS.windows(2).all(|pair| pair[0].0 < pair[1].0), "in the order of the alphabet");
         assert!(shown("fi$0gure f = g").contains("An output of the design"));
         assert!(shown("figure f = g at le$0vel 3").contains("taken apart"), "in a text that is wrong too");
+        assert!(shown("param a: Len$0gth = 3m\n").contains("in `mm`, `cm`, `m`"));
+        let untold: Vec<&str> = type_names().filter(|name| type_meaning(name).is_none()).collect();
+        assert!(untold.is_empty(), "nothing is said of {untold:?}");
         // A name that is such a word.
         let named = shown("let step = 3m\nlet a = st$0ep\n");
         assert!(named.contains("let step: Length") && !named.contains("can have"), "{named}");

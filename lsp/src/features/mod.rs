@@ -27,6 +27,7 @@ pub(crate) mod semantics;
 pub(crate) mod signature;
 mod sizes;
 mod states;
+mod sums;
 mod supplement;
 pub(crate) mod symbols;
 mod tokens;

@@ -54,7 +54,7 @@ fn ask(text: &str, at: u32) {
     }
     let tokens = semantics::semantics(&analysis, root, None);
     assert!(tokens.is_sorted_by(|one, next| one.span.end <= next.span.start));
-    for hint in hints::hints(&analysis, None, whole) {
+    for hint in hints::hints(&analysis, &Overrides::default(), None, whole) {
         assert!(text.is_char_boundary(hint.at as usize));
     }
     let selected = selection::selection(&analysis, root, at);

@@ -1,6 +1,9 @@
 //! Renaming: what can be renamed, to what, and what would clash.
 
+use std::collections::BTreeSet;
+
 use ifs_compiler::analysis::Analysis;
+use ifs_compiler::diagnostic::Severity;
 use ifs_compiler::hir::index::{DeclarationKind, Target};
 use ifs_compiler::hir::tree::ItemKind;
 use ifs_compiler::source::{FileId, Span};
@@ -108,6 +111,55 @@ fn clash(analysis: &Analysis, declaration: Span, uses: &[Span], new: &str) -> Re
             });
             return Err(format!("`{new}` is already declared{place}"));
         }
+    }
+    Ok(())
+}
+
+/// Whether a design in which these places say `new` means what it meant before: no name stands for anything else, and no
+/// mistake is new. Else why not.
+pub(crate) fn same_meaning(
+    before: &Analysis,
+    after: &Analysis,
+    changed: &[Span],
+    new: &str,
+) -> Result<(), String> {
+    let moved = |span: Span| {
+        let grown = |place: &Span| i64::from(new.len() as u32) - i64::from(place.end - place.start);
+        let by = |offset: u32, is_end: bool| {
+            let earlier = changed.iter().filter(|place| {
+                place.file == span.file
+                    && if is_end { place.end <= offset } else { place.end <= offset && place.start < offset }
+            });
+            (i64::from(offset) + earlier.map(grown).sum::<i64>()) as u32
+        };
+        Span::new(span.file, by(span.start, false), by(span.end, true))
+    };
+    let same = |span: Span| span;
+    let names = |analysis: &Analysis, moved: &dyn Fn(Span) -> Span| -> BTreeSet<(Span, Target)> {
+        let own = analysis.index.references.iter().filter(|name| !analysis.hir.is_library(name.span.file));
+        own.map(|name| match name.target {
+            Target::Declared(span) => (moved(name.span), Target::Declared(moved(span))),
+            target => (moved(name.span), target),
+        })
+        .collect()
+    };
+    let place = |span: Span| {
+        let source = after.sources.get(span.file)?;
+        Some(format!(" in {}, line {}", source.path, source.lines.bytes(span.start).line + 1))
+    };
+    let errors = |analysis: &Analysis| {
+        analysis.diagnostics.iter().filter(|found| found.severity() == Severity::Error).count()
+    };
+    let (were, are) = (names(before, &moved), names(after, &same));
+    if let Some((span, _)) = were.symmetric_difference(&are).next() {
+        let place = place(*span).unwrap_or_default();
+        return Err(format!("`{new}` would be taken for something else{place}"));
+    }
+    if errors(after) > errors(before)
+        && let Some(found) = after.diagnostics.iter().find(|found| found.severity() == Severity::Error)
+    {
+        let place = place(found.span).unwrap_or_default();
+        return Err(format!("with `{new}`, {}{place}", found.message));
     }
     Ok(())
 }

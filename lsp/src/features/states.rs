@@ -7,7 +7,7 @@ use ifs_compiler::analysis::Analysis;
 use ifs_compiler::hir::dimension::Dimension;
 use ifs_compiler::hir::evaluate::{Evaluator, quantity_words_to};
 use ifs_compiler::hir::tree::ItemId;
-use ifs_compiler::ifs::{Automaton, Contraction, StateId, contraction, difference_norm};
+use ifs_compiler::ifs::{Automaton, Contraction, Matrix, StateId, StateSpace, contraction, step_factor};
 use ifs_compiler::plan::lower::alone;
 
 use super::facts::WorkedOut;
@@ -108,14 +108,15 @@ fn in_state(states: &States<'_>, name: &str) -> Option<String> {
     let transforms = automaton.state(id).transforms.iter().filter(|transform| is_of(&transform.name, name));
     let parts = transforms.take(MOST_MEMBERS).map(|transform| {
         let target = &automaton.state(transform.target).name;
-        let entries = transform.matrix.entries().iter().map(|entry| {
-            let exact = entry.to_string();
-            if exact.len() <= 8 { exact } else { quantity_words_to(entry.to_f64(), Dimension::NUMBER, 6) }
-        });
-        let matrix = matrix(&entries.collect::<Vec<_>>(), transform.matrix.columns());
-        let factor = quantity_words_to(difference_norm(transform).to_f64(), Dimension::NUMBER, 4);
+        let is_map = automaton.state(id).space != StateSpace::Control
+            && automaton.state(transform.target).space != StateSpace::Control;
+        let (what, matrix) = match is_map {
+            true => ("lengths", map(&transform.matrix)),
+            false => ("differences", weights(&transform.matrix)),
+        };
+        let factor = quantity_words_to(step_factor(automaton, id, transform), Dimension::NUMBER, 4);
         format!(
-            "`{}` continues in `{target}`; in one step differences are at most {factor} as large{matrix}",
+            "`{}` continues in `{target}`; in one step {what} are at most {factor} as large{matrix}",
             transform.name
         )
     });
@@ -137,16 +138,47 @@ fn for_all_parameters(analysis: &Analysis, known: WorkedOut<'_>, ifs: ItemId, na
     (!parts.is_empty()).then(|| parts.join("\n\n"))
 }
 
-/// The rows of a matrix below a line of text; nothing where it is large.
+/// The barycentric weights of the images of control points, exact where that is short.
+fn weights(rows: &Matrix) -> String {
+    let entries = rows.entries().iter().map(|entry| {
+        let exact = entry.to_string();
+        if exact.len() <= 8 { exact } else { quantity_words_to(entry.to_f64(), Dimension::NUMBER, 6) }
+    });
+    matrix(&entries.collect::<Vec<_>>(), rows.columns())
+}
+
+/// A map of the plane or of space: its linear part, and behind it how far it moves the origin. Its weights are those of the
+/// images of a frame, the origin and a point at 1 mm along each axis.
+fn map(rows: &Matrix) -> String {
+    let size = rows.columns() - 1;
+    let origin: Vec<f64> = (1..=size).map(|axis| rows.row(0)[axis].to_f64()).collect();
+    let linear = |axis: usize, point: usize| rows.row(point)[axis].to_f64() - origin[axis - 1];
+    let entries = (1..=size).flat_map(|axis| (1..=size).map(move |point| (axis, point)));
+    let entries = entries
+        .map(|(axis, point)| quantity_words_to(linear(axis, point), Dimension::NUMBER, 6))
+        .collect::<Vec<_>>();
+    let moved = origin.iter().map(|moved| quantity_words_to(*moved, Dimension::LENGTH, 6));
+    let lines = lines(&entries, size).into_iter().zip(moved);
+    fenced(lines.map(|(line, moved)| format!("{line}  + {moved}")).collect())
+}
+
+/// A matrix as a block of text; nothing where it is large.
 fn matrix(entries: &[String], columns: usize) -> String {
-    if entries.len() > MOST_ENTRIES {
-        return String::new();
-    }
+    if entries.len() > MOST_ENTRIES { String::new() } else { fenced(lines(entries, columns)) }
+}
+
+/// The rows of a matrix, in columns of one width.
+fn lines(entries: &[String], columns: usize) -> Vec<String> {
     let width = entries.iter().map(|text| text.chars().count()).max().unwrap_or(0);
-    let rows = entries
+    entries
         .chunks(columns.max(1))
-        .map(|row| row.iter().map(|text| format!("{text:>width$}")).collect::<Vec<_>>().join("  "));
-    format!("\n```text\n{}\n```", rows.collect::<Vec<_>>().join("\n"))
+        .map(|row| row.iter().map(|text| format!("{text:>width$}")).collect::<Vec<_>>().join("  "))
+        .collect()
+}
+
+/// Lines as a block below a line of text.
+fn fenced(lines: Vec<String>) -> String {
+    format!("\n```text\n{}\n```", lines.join("\n"))
 }
 
 #[cfg(test)]
@@ -204,6 +236,18 @@ mod tests {
     fn an_ifs_beside_mistakes() {
         let text = halves("", "1/4", "figure line = halves on (0m, at level\nlet wrong = 1m + 2kg\n");
         contains(&shown(&text, "$1", false), &["  1    0\n3/4  1/4", "contracts, by 0.75"]);
+    }
+
+    #[test]
+    fn a_map_of_the_plane() {
+        let text = "ifs grow in plane {\n    transform b$1ranch = translate(0m, 1.6m) * rotate(90deg) * scale(0.5) * self\n    germ segment((0m, 0m), (0m, 1m))\n}\n";
+        let said = shown(text, "$1", false);
+        let parts = [
+            "in one step lengths are at most 0.5 as large",
+            "   0  -0.5  + 0mm\n 0.5     0  + 1600mm",
+            "contracts, by 0.5 at most",
+        ];
+        contains(&said, &parts);
     }
 
     #[test]

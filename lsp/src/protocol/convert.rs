@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ifs_compiler::analysis::Analysis;
-use ifs_compiler::source::{LineIndex, Span};
+use ifs_compiler::source::{LineIndex, Source, Span};
 use tower_lsp::ls_types::{Location, Position, Range, TextEdit, Uri};
 
 use super::uri::uri_of;
@@ -21,7 +21,11 @@ pub(crate) fn from_position(position: Position) -> Place {
 
 /// The range of a span of an analysis.
 pub(crate) fn range(analysis: &Analysis, span: Span, encoding: Encoding) -> Range {
-    let Some(source) = analysis.sources.get(span.file) else { return Range::default() };
+    analysis.sources.get(span.file).map_or_else(Range::default, |source| range_in(source, span, encoding))
+}
+
+/// The range of a span of a text.
+pub(crate) fn range_in(source: &Source, span: Span, encoding: Encoding) -> Range {
     let at = |offset| position(&source.text, &source.lines, offset, encoding);
     Range { start: at(span.start), end: at(span.end) }
 }

@@ -1,5 +1,6 @@
 //! Code actions: quick fixes at the diagnostics of a range, and what is done to a whole file.
 
+use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::{Diagnostic, Edit};
 use ifs_compiler::source::Span;
 use tower_lsp::ls_types::*;
@@ -7,6 +8,7 @@ use tower_lsp::ls_types::*;
 use super::completions::paths;
 use super::neighbours::{imports, read_with, siblings};
 use crate::features::fixes::{self, Mend};
+use crate::features::format::line_edits;
 use crate::features::refactor::{self, Refactoring};
 use crate::protocol::capabilities::FIX_ALL;
 use crate::protocol::diagnostics::diagnostic;
@@ -94,12 +96,34 @@ fn quick_fix(snapshot: &Snapshot, mend: Mend, told: &tower_lsp::ls_types::Diagno
     })
 }
 
-/// The changes of all fixes of the document that are safe; of two that touch the same place the first.
+/// How often a text is read again while more can be mended.
+const MOST_ROUNDS: usize = 20;
+
+/// The document with all of its safe fixes made, and those that can be made then.
 fn safe(snapshot: &Snapshot) -> Vec<Edit> {
     let root = snapshot.analysis.root;
+    let Some(source) = snapshot.analysis.sources.get(root) else { return Vec::new() };
+    let mut edits = safe_at_once(&snapshot.analysis);
+    let mut text = source.text.clone();
+    for _ in 0..MOST_ROUNDS {
+        if edits.is_empty() {
+            break;
+        }
+        for edit in edits.iter().rev() {
+            text.replace_range(edit.span.range(), &edit.replacement);
+        }
+        edits = read_with(snapshot, text.clone()).map_or_else(Vec::new, |after| safe_at_once(&after));
+    }
+    let changed = line_edits(root, &source.text, &text);
+    changed.into_iter().map(|(span, replacement)| Edit { span, replacement }).collect()
+}
+
+/// The changes of the safe fixes of a design's own file; of two that touch the same place the first.
+fn safe_at_once(analysis: &Analysis) -> Vec<Edit> {
+    let root = analysis.root;
     let mut chosen: Vec<Edit> = Vec::new();
-    for found in snapshot.diagnostics.iter().filter(|found| found.span.file == root) {
-        for mend in fixes::mends(&snapshot.analysis, found).into_iter().filter(|mend| mend.safe) {
+    for found in analysis.diagnostics.iter().filter(|found| found.span.file == root) {
+        for mend in fixes::mends(analysis, found).into_iter().filter(|mend| mend.safe) {
             let free = mend.edits.iter().all(|edit| {
                 edit.span.file == root
                     && chosen

@@ -1,6 +1,6 @@
 //! Answers in the protocol's types, each from one feature.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use ifs_compiler::analysis::{Analysis, read_indexed};
@@ -9,7 +9,7 @@ use ifs_compiler::source::Span;
 use tower_lsp::ls_types::*;
 
 use crate::features::facts::WorkedOut;
-use crate::features::{definition, format, hover, links, references, rename, symbols};
+use crate::features::{definition, format, hover, links, references, symbols};
 use crate::protocol::convert::range;
 use crate::world::Snapshot;
 use crate::world::overlay::Overlay;
@@ -64,10 +64,10 @@ pub(super) fn project(snapshot: &Snapshot) -> Vec<(Places, Option<Analysis>)> {
 
 /// A place of a name in some file of the project.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Place {
-    path: PathBuf,
-    start: u32,
-    end: u32,
+pub(super) struct Place {
+    pub(super) path: PathBuf,
+    pub(super) start: u32,
+    pub(super) end: u32,
     from: (u32, u32),
     to: (u32, u32),
 }
@@ -78,7 +78,7 @@ impl Place {
         Place { path, start: span.start, end: span.end, from: pair(range.start), to: pair(range.end) }
     }
 
-    fn range(&self) -> Range {
+    pub(super) fn range(&self) -> Range {
         let position = |(line, character)| Position { line, character };
         Range { start: position(self.from), end: position(self.to) }
     }
@@ -89,7 +89,7 @@ impl Place {
 }
 
 /// The places of a name over all designs of the project, in the order of files: `spans` finds those of one analysis.
-fn everywhere(
+pub(super) fn everywhere(
     snapshot: &Snapshot,
     declared: Span,
     spans: impl Fn(&Analysis, Span) -> Result<Vec<Span>, String>,
@@ -146,28 +146,6 @@ pub(super) fn highlights(snapshot: &Snapshot, position: Position) -> Vec<Documen
             kind: Some(kind(declaration)),
         })
         .collect()
-}
-
-pub(super) fn prepare_rename(
-    snapshot: &Snapshot,
-    position: Position,
-) -> Result<PrepareRenameResponse, String> {
-    let (name, _) = rename::prepare(&snapshot.analysis, snapshot.analysis.root, snapshot.offset(position))?;
-    Ok(PrepareRenameResponse::Range(snapshot.range(name)))
-}
-
-pub(super) fn rename(snapshot: &Snapshot, position: Position, new: &str) -> Result<WorkspaceEdit, String> {
-    let at = snapshot.offset(position);
-    let (_, declared) = rename::prepare(&snapshot.analysis, snapshot.analysis.root, at)?;
-    let places =
-        everywhere(snapshot, declared, |analysis, declared| rename::rename(analysis, declared, new))?;
-    let mut changes: BTreeMap<&PathBuf, Vec<TextEdit>> = BTreeMap::new();
-    for place in &places {
-        let edit = TextEdit { range: place.range(), new_text: new.to_owned() };
-        changes.entry(&place.path).or_default().push(edit);
-    }
-    let changes = changes.into_iter().filter_map(|(path, edits)| Some((snapshot.uri(path)?, edits)));
-    Ok(WorkspaceEdit { changes: Some(changes.collect()), ..WorkspaceEdit::default() })
 }
 
 pub(super) fn symbol_kind(kind: symbols::SymbolKind) -> SymbolKind {

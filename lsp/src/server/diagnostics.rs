@@ -6,10 +6,11 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use ifs_compiler::analysis::{Analysis, read};
+use ifs_compiler::analysis::{Analysis, measure_watched, read};
 use ifs_compiler::source::FileId;
 use tower_lsp::ls_types::*;
 
+use super::patience::{Limited, Patience};
 use crate::protocol::diagnostics::diagnostic;
 use crate::protocol::uri::uri_of;
 use crate::world::names::Names;
@@ -89,12 +90,14 @@ struct Kept {
     disk: u64,
     encoding: Encoding,
     items: Vec<Diagnostic>,
+    /// Whether it still has to be worked out.
+    waits: bool,
     /// The project's `ifs.toml`, and what is wrong in it for this design.
     project: Option<(PathBuf, Vec<Diagnostic>)>,
 }
 
-/// The designs of the workspace that are not open, read when they or what they are made of has changed. They are not
-/// worked out: that is done for what somebody looks at.
+/// The designs of the workspace that are not open, read when they or what they are made of has changed, and worked out as far
+/// as [`Patience`] goes: what is left waits until the client asks again. What would mend them is told where they are open.
 #[derive(Clone, Default)]
 pub(super) struct Workspace {
     kept: Arc<Mutex<BTreeMap<PathBuf, Kept>>>,
@@ -117,9 +120,11 @@ impl Workspace {
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept.retain(|path, _| paths.contains(path));
         let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
+        let patience = Patience::from_now();
         for path in paths {
-            if !kept.get(&path).is_some_and(|kept| is_current(kept, moment)) {
-                let Some(looked) = look(projects, names, &path, moment) else { continue };
+            let known = kept.get(&path).filter(|kept| is_current(kept, moment));
+            if known.is_none_or(|kept| kept.waits && patience.is_left()) {
+                let Some(looked) = look(projects, names, &path, moment, patience) else { continue };
                 kept.insert(path.clone(), looked);
             }
             let Some(kept) = kept.get(&path) else { continue };
@@ -180,9 +185,24 @@ fn is_current(kept: &Kept, moment: &Moment) -> bool {
         && kept.made_of.iter().all(|(path, then)| version(path) == *then)
 }
 
-fn look(projects: &Arc<dyn Projects>, names: &Names, path: &Path, moment: &Moment) -> Option<Kept> {
+fn look(
+    projects: &Arc<dyn Projects>,
+    names: &Names,
+    path: &Path,
+    moment: &Moment,
+    patience: Patience,
+) -> Option<Kept> {
     let overlay = Overlay { project: projects.project(path)?, open: Arc::clone(&moment.open) };
     let mut analysis: Analysis = read(&overlay, &overlay.project.design, &overlay.project.overrides);
+    let waits = !analysis.has_errors() && !patience.is_left();
+    if !analysis.has_errors() && !waits {
+        let mut limited = Limited::from_now();
+        let measured = measure_watched(analysis.clone(), &overlay.project.overrides, &mut limited);
+        // Of what took too long nothing is known but what was read.
+        if !limited.stopped {
+            analysis = measured;
+        }
+    }
     with_project_file(&mut analysis, &overlay);
     let root = overlay.project.root;
     let places = Places { root, projects: Arc::clone(projects), names: names.clone() };
@@ -198,5 +218,5 @@ fn look(projects: &Arc<dyn Projects>, names: &Names, path: &Path, moment: &Momen
     };
     let project = project_file(&analysis).and_then(|file| Some((places.path(&analysis, file)?, of(file))));
     let (items, disk, encoding) = (of(analysis.root), moment.disk, moment.encoding);
-    Some(Kept { made_of, disk, encoding, items, project })
+    Some(Kept { made_of, disk, encoding, items, waits, project })
 }

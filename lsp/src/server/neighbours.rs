@@ -1,6 +1,7 @@
 //! What the other files of a project declare, for names that a design lacks; and a design read anew with a change that is
 //! offered, before it is offered.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use ifs_compiler::analysis::{Analysis, read_indexed};
@@ -11,7 +12,7 @@ use ifs_compiler::syntax::{ast::ItemKind, parse};
 use crate::features::fixes::{self, Mend};
 use crate::world::Snapshot;
 use crate::world::documents::Document;
-use crate::world::overlay::Overlay;
+use crate::world::overlay::{Open, Overlay};
 use crate::world::project_file::with_project_file;
 use crate::world::projects::Project;
 
@@ -86,14 +87,19 @@ fn helps(snapshot: &Snapshot, found: &Diagnostic, edits: &[Edit]) -> bool {
 
 /// The design of a snapshot, read anew with another text.
 pub(super) fn read_with(snapshot: &Snapshot, text: String) -> Option<Analysis> {
-    let project = if snapshot.path.is_absolute() {
-        snapshot.places.projects.project(&snapshot.path)?
-    } else {
-        Project::nowhere(snapshot.path.to_str()?)
-    };
     let mut open = (*snapshot.open).clone();
     open.insert(snapshot.path.clone(), Arc::new(Document::new(text, 0)));
-    let overlay = Overlay { project, open: Arc::new(open) };
+    read_among(snapshot, &snapshot.path, &Arc::new(open))
+}
+
+/// A design beside that of a snapshot, read anew among other open documents.
+pub(super) fn read_among(snapshot: &Snapshot, path: &Path, open: &Arc<Open>) -> Option<Analysis> {
+    let project = if path.is_absolute() {
+        snapshot.places.projects.project(path)?
+    } else {
+        Project::nowhere(path.to_str()?)
+    };
+    let overlay = Overlay { project, open: Arc::clone(open) };
     let mut analysis = read_indexed(&overlay, &overlay.project.design, &overlay.project.overrides);
     with_project_file(&mut analysis, &overlay);
     Some(analysis)

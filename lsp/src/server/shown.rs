@@ -19,7 +19,7 @@ fn made(snapshot: &Snapshot) -> Option<&ifs_compiler::analysis::Analysis> {
 
 pub(super) fn hints(snapshot: &Snapshot, range: Range) -> Vec<InlayHint> {
     let root = snapshot.analysis.root;
-    let found = hints::hints(&snapshot.analysis, made(snapshot), part(snapshot, range));
+    let found = hints::hints(&snapshot.analysis, &snapshot.overrides, made(snapshot), part(snapshot, range));
     let hints = found.into_iter().map(|hint| {
         let position = snapshot.range(Span::new(root, hint.at, hint.at)).start;
         let edit = |new_text| TextEdit { range: Range { start: position, end: position }, new_text };

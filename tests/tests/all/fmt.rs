@@ -198,7 +198,7 @@ fn line_ends_comments_and_nothing() {
         &place.fmt(&["crlf.ifs", "comments.ifs", "empty.ifs", "blank.ifs"]),
         "formatted crlf.ifs\nformatted comments.ifs\nformatted blank.ifs\n",
     );
-    assert_eq!(place.read("crlf.ifs"), "// a\nlet b = \"c\"\n");
+    assert_eq!(place.read("crlf.ifs"), "// a\r\nlet b = \"c\"\r\n");
     assert_eq!(place.read("comments.ifs"), "//! What it is.\n// and why\n\n// end\n");
     assert_eq!(place.read("empty.ifs"), "");
     assert_eq!(place.read("blank.ifs"), "");

@@ -164,3 +164,18 @@ fn refactorings() {
     assert_eq!(offered(&mut client, vector, &extract), []);
     client.finish();
 }
+
+#[test]
+fn all_that_is_safe_is_mended_in_one_go() {
+    let design = "untitled:a.ifs";
+    let mut client = Client::start(program_path(false));
+    client.initialize(&json!({}), &[]);
+    let marked =
+        "«»use std.curves (bezier3, bspline3)\nuse std.surfaces (tensor, sheet)\n\nlet b = 3;\nlet c = b\n";
+    client.open(design, &marked.replace(['«', '»'], ""));
+    let context = json!({ "diagnostics": [], "only": ["source.fixAll.ifs"] });
+    let found = actions(&mut client, design, marked, &context);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(found[0].1.trim_start(), "let b = 3\nlet c = b\n");
+    client.finish();
+}

@@ -66,6 +66,64 @@ fn a_project_of_several_files() {
     client.finish();
 }
 
+/// Asks for another name at a place.
+fn renamed(client: &mut Client, uri: &str, (line, column): (u32, u32), new: &str) -> Result<Value, String> {
+    let mut params = at(uri, line, column);
+    params["newName"] = json!(new);
+    client.request("textDocument/rename", params).map_err(|refused| refused.message)
+}
+
+#[test]
+fn names_that_would_mean_something_else_are_refused() {
+    let folder = scratch("lsp_rename_clashes");
+    project(&folder);
+    let design = uri(&folder.join("design.ifs"));
+    let text = "use std.curves (bezier3)\nuse \"./parts/ribs.ifs\" (rib)\nlet wide = 3m\nlet roof = rib(wide)\n\
+                let other = bezier3\ntest \"t\" {\n    let three = 3\n    assert three == len([1, 2, 3])\n}\n\
+                ifs halves(t: Number = 1/2) on (a, b) {\n    let m = lerp(a, b, t)\n    transform l = self on (a, m)\n\
+                transform r = self on (m, b)\n    germ segment(a, b)\n}\n";
+    let mut client = server();
+    client.open(&design, text);
+    client.diagnostics(&design, 1);
+    for (place, new) in
+        [((2, 5), "rib"), ((2, 5), "bezier3"), ((6, 9), "len"), ((9, 11), "lerp"), ((2, 5), "roof")]
+    {
+        let refused = renamed(&mut client, &design, place, new).expect_err(new);
+        assert!(refused.contains(&format!("`{new}`")), "{refused}");
+    }
+    // From the file that declares it, what another imports counts too.
+    let ribs = uri(&folder.join("parts/ribs.ifs"));
+    client.open(&ribs, RIBS);
+    client.diagnostics(&ribs, 1);
+    let declared = 1;
+    let column = 7;
+    renamed(&mut client, &ribs, (declared, column), "bezier3").expect_err("imported beside it");
+    renamed(&mut client, &ribs, (declared, column), "arch_of").unwrap();
+    client.finish();
+}
+
+#[test]
+fn a_parameter_is_renamed_where_the_project_sets_it() {
+    let folder = scratch("lsp_rename_param");
+    project(&folder);
+    fs::write(folder.join("ifs.toml"), "[params]\nspan = \"5m\"\n").unwrap();
+    let text = "param span: Length = 6m\nlet half = span / 2\n";
+    fs::write(folder.join("first.ifs"), text).unwrap();
+    let (first, settings) = (uri(&folder.join("first.ifs")), uri(&folder.join("ifs.toml")));
+    let mut client = server();
+    client.open(&first, text);
+    client.diagnostics(&first, 1);
+    let changes = renamed(&mut client, &first, (0, 7), "breadth").unwrap()["changes"].clone();
+    assert_eq!(changes[&first].as_array().map(Vec::len), Some(2), "{changes}");
+    assert_eq!(changes[&settings][0]["range"]["start"], json!({ "line": 1, "character": 0 }), "{changes}");
+    assert_eq!(changes[&settings][0]["range"]["end"], json!({ "line": 1, "character": 4 }), "{changes}");
+    // Another design is set by the same line.
+    fs::write(folder.join("second.ifs"), text).unwrap();
+    let refused = renamed(&mut client, &first, (0, 7), "breadth").expect_err("of both");
+    assert!(refused.contains("second.ifs"), "{refused}");
+    client.finish();
+}
+
 #[test]
 fn a_new_file_that_another_uses_before_it_is_saved() {
     let folder = scratch("lsp_new_file");
@@ -213,5 +271,30 @@ fn what_has_not_changed_is_said_to_be_so() {
     let pushed = client.said(std::time::Duration::from_millis(100));
     let pushed = pushed.iter().filter(|message| message["method"] == "textDocument/publishDiagnostics");
     assert_eq!(pushed.count(), 0, "who pulls is not pushed to");
+    client.finish();
+}
+
+#[test]
+fn designs_that_nobody_has_open_are_worked_out_too() {
+    let folder = scratch("lsp_workspace_boards");
+    fs::write(folder.join("ifs.toml"), "").unwrap();
+    let text = "use std.curves (line)\nuse std.materials (sawn_spruce)\nfigure beam = line on ((0m, 0m), (4m, 0m)) at level 1\n\
+                fabricate beam as planks {\n    material: sawn_spruce\n    section: 100mm by 40mm\n    require length <= 1m\n}\n";
+    fs::write(folder.join("long.ifs"), text).unwrap();
+    fs::write(folder.join("good.ifs"), text.replace("<= 1m", "<= 2m")).unwrap();
+    let mut client = Client::start(program_path(false));
+    client.initialize(&json!({ "textDocument": { "diagnostic": {} } }), &[&folder]);
+    let report = client.request("workspace/diagnostic", json!({ "previousResultIds": [] })).unwrap();
+    let of = |name: &str| {
+        let own = uri(&folder.join(name));
+        let item = report["items"].as_array().unwrap().iter().find(|item| item["uri"] == own).unwrap();
+        item["items"].as_array().unwrap().clone()
+    };
+    let found = of("long.ifs");
+    assert_eq!(
+        (found.len(), &found[0]["code"], &found[0]["range"]["start"]["line"]),
+        (1, &json!("E0812"), &json!(6))
+    );
+    assert_eq!(of("good.ifs"), [] as [Value; 0]);
     client.finish();
 }

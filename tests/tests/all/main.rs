@@ -30,6 +30,7 @@ mod lsp_protocol;
 mod lsp_remedies;
 mod lsp_shown;
 mod maps;
+mod mends;
 mod messages;
 mod nasty;
 mod nc;

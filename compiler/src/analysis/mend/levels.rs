@@ -1,6 +1,6 @@
 //! What the levels beside this one give.
 
-use super::variants::{Block, Change, Purse, Variant};
+use super::variants::{Block, Change, Confirmed, Purse, Variant};
 use super::{Asked, Remedies, Remedy, Worth};
 use crate::analysis::requirements::found_words;
 use crate::hir::schema::Measure;
@@ -23,13 +23,14 @@ struct Tried {
 impl Remedies<'_> {
     pub(super) fn levels(&mut self, figure: &str, asked: Asked) -> Option<Remedy> {
         let now = self.now(figure)?.clone();
+        let planarized = self.needs_planarizing(&now, asked);
         let mut tried: Vec<Tried> = Vec::new();
         for shift in SHIFTS {
             let nearer = tried.iter().any(|other| other.holds && other.shift.signum() == shift.signum());
-            if nearer || !self.is_level_affordable(asked, &now, shift) {
+            if nearer || !self.is_level_affordable(&now, shift, planarized) {
                 continue;
             }
-            tried.extend(self.level(figure, asked, &now, shift));
+            tried.extend(self.level(asked, &now, shift, planarized));
         }
         let sentence = mended(&tried, now.level.as_deref());
         if sentence.is_some() {
@@ -47,31 +48,49 @@ impl Remedies<'_> {
     }
 
     /// Whether a level may be tried: higher ones have about four times as many quads, or twice as many segments.
-    fn is_level_affordable(&self, asked: Asked, now: &Block, shift: i32) -> bool {
+    fn is_level_affordable(&self, now: &Block, shift: i32, planarized: bool) -> bool {
         let factor = 4u64.saturating_pow(shift.max(0).unsigned_abs());
         let elements = (now.elements as u64).max(1).saturating_mul(factor);
-        self.variants.affordable(Purse::Levels, elements, self.needs_planarizing(now, asked)) > 0
+        self.variants.affordable(Purse::Levels, elements, planarized) > 0
     }
 
-    /// Whether what is asked can be judged only on quads as flat as they will be built.
-    pub(super) fn needs_planarizing(&self, now: &Block, asked: Asked) -> bool {
-        match asked {
-            Asked::Stock => false,
-            Asked::Requirement(place) => {
-                now.requirements.get(place).is_some_and(|requirement| requirement.measure.is_flatness())
-            }
+    /// Whether what is asked can be judged only on quads as flat as they will be built: where it is about that, and where
+    /// it is planarizing that makes it fail.
+    pub(super) fn needs_planarizing(&mut self, now: &Block, asked: Asked) -> bool {
+        if let Asked::Requirement(place) = asked
+            && now.requirements.get(place).is_some_and(|requirement| requirement.measure.is_flatness())
+        {
+            return true;
         }
+        if !self.variants.planarizes() {
+            return false;
+        }
+        let as_it_is = Change::Level(now.figure.clone(), 0);
+        let designed = self.variants.with(&as_it_is, None, false);
+        designed.and_then(|designed| designed.block(&now.figure)).is_some_and(|block| block.holds(asked))
     }
 
-    fn level(&mut self, figure: &str, asked: Asked, now: &Block, shift: i32) -> Option<Tried> {
-        let planarized = self.needs_planarizing(now, asked);
-        let change = Change::Level(figure.to_owned(), shift);
+    fn level(&mut self, asked: Asked, now: &Block, shift: i32, planarized: bool) -> Option<Tried> {
+        let change = Change::Level(now.figure.clone(), shift);
         let variant = self.variants.with(&change, None, planarized)?.clone();
-        let block = variant.blocks.iter().find(|block| block.figure == figure)?;
+        let block = variant.block(&now.figure)?;
         // A figure without levels is the same at each.
         if block.level == now.level && block.elements == now.elements {
             return None;
         }
+        let tried = self.tried(&variant, asked, now, shift)?;
+        if !tried.holds || variant.planarized {
+            return Some(tried);
+        }
+        match self.variants.confirmed(&change, None, block.elements as u64) {
+            Confirmed::Planarized(variant) => self.tried(&variant, asked, now, shift),
+            Confirmed::Faulty => None,
+            Confirmed::TooLong => Some(tried),
+        }
+    }
+
+    fn tried(&self, variant: &Variant, asked: Asked, now: &Block, shift: i32) -> Option<Tried> {
+        let block = variant.block(&now.figure)?;
         let beside = match shift {
             -1 => "one level lower".to_owned(),
             1 => "one level higher".to_owned(),
@@ -81,9 +100,9 @@ impl Remedies<'_> {
         Some(Tried {
             shift,
             words: block.level.clone().unwrap_or(beside),
-            found: found(block, asked),
+            found: found(block, asked).map(|found| format!("{found}{}", variant.said_before())),
             holds: block.holds(asked),
-            broken: self.broken(&variant),
+            broken: self.broken(variant),
         })
     }
 

@@ -114,13 +114,13 @@ impl<'a> Remedies<'a> {
     }
 
     fn of_requirement(
-        &self,
+        &mut self,
         fabrication: &Fabrication,
         place: usize,
         requirement: &RequirementResult,
     ) -> Vec<Remedy> {
         let mut remedies: Vec<Remedy> = Vec::new();
-        remedies.extend(self.flatter(fabrication, requirement));
+        remedies.extend(self.flatter(fabrication, place, requirement));
         match requirement.measure {
             Measure::BendRadius => {
                 remedies.extend(self.grain_turned(fabrication, requirement));

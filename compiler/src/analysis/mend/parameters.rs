@@ -1,8 +1,9 @@
 //! The nearest values of parameters, inside their ranges, at which what fails holds.
 
 use super::levels::found;
-use super::variants::{Change, Variant};
+use super::variants::{Block, Change, Confirmed, Variant};
 use super::{Asked, Remedies, Remedy, Worth};
+use crate::analysis::requirements::{LimitValue, RequirementResult};
 use crate::hir::evaluate::{Evaluator, words};
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::{ItemKind, Param};
@@ -13,6 +14,9 @@ const STEPS: f64 = 40.0;
 
 /// The most values of a parameter that are tried one after another, each way.
 const MOST_IN_TURN: i64 = 60;
+
+/// How many steps beyond the nearest value are tried where planarizing makes that fail.
+const FURTHER: [i64; 4] = [0, 1, 2, 4];
 
 /// A parameter that may be moved.
 #[derive(Clone)]
@@ -35,6 +39,24 @@ impl Movable {
     }
 }
 
+/// What values of a parameter are tried for.
+struct Scan<'a> {
+    parameter: &'a Movable,
+    /// What the block gives now.
+    now: &'a Block,
+    asked: Asked,
+    /// Whether each value is planarized as it is tried.
+    planarized: bool,
+    /// How many values can be tried each way.
+    tries: u64,
+}
+
+impl Scan<'_> {
+    fn holds(&self, variant: &Variant) -> bool {
+        variant.block(&self.now.figure).is_some_and(|block| block.holds(self.asked))
+    }
+}
+
 impl Remedies<'_> {
     /// One remedy for each parameter that mends it; where none does, how near the best of them comes.
     pub(super) fn parameters(&mut self, figure: &str, asked: Asked) -> Vec<Remedy> {
@@ -46,38 +68,42 @@ impl Remedies<'_> {
         // The same values for everything that fails: each variant is worked out once.
         let tries = self.variants.share(movable.len(), planarized);
         for parameter in &movable {
-            let mut clean: Vec<String> = Vec::new();
-            let found: Vec<String> = [1, -1]
-                .into_iter()
-                .filter_map(|way| {
-                    let steps = self.nearest(parameter, way, figure, asked, planarized, tries)?;
-                    let variant = self.moved(parameter, steps, planarized)?;
-                    let broken = self.broken(&variant);
-                    if broken.is_none() {
-                        clean.extend(parameter.words(steps));
-                    }
-                    let broken = broken.map_or_else(String::new, |broken| format!(" (but then {broken})"));
-                    Some(format!("{}{broken}", parameter.words(steps)?))
-                })
-                .collect();
-            if found.is_empty() && tries > 0 {
-                let end = self.best_end(parameter, figure, asked, planarized);
-                nearest = match (nearest, end) {
-                    (Some(best), Some(end)) if end.0 >= best.0 => Some(best),
-                    (best, end) => end.or(best),
+            let scan = Scan { parameter, now: &now, asked, planarized, tries };
+            let holding: Vec<(i64, Variant)> =
+                [1, -1].into_iter().filter_map(|way| self.nearest(&scan, way)).collect();
+            remedies.extend(self.moving(parameter, &holding));
+            if holding.is_empty() && tries > 0 {
+                let best = self.best_tried(&scan);
+                nearest = match (nearest, best) {
+                    (Some(known), Some(best)) if best.0 >= known.0 => Some(known),
+                    (known, best) => best.or(known),
                 };
-            } else if let Some(now) = parameter.words(0).filter(|_| !found.is_empty()) {
-                let name = &parameter.name;
-                let sentence = format!("it holds with {name} = {}; now it is {now}", found.join(" or "));
-                let worth = if clean.is_empty() { Worth::Breaks } else { Worth::Mends };
-                let fixes = clean.iter().filter_map(|then| self.default_put(name, &now, then)).collect();
-                remedies.push(Remedy { sentence, fixes, worth });
             }
         }
         if remedies.is_empty() {
             remedies.extend(nearest.map(|(_, sentence)| Remedy::falls_short(sentence)));
         }
         remedies
+    }
+
+    /// The remedy of moving a parameter by some numbers of steps, at which it holds.
+    fn moving(&self, parameter: &Movable, holding: &[(i64, Variant)]) -> Option<Remedy> {
+        let name = &parameter.name;
+        let now = parameter.words(0)?;
+        let (mut words, mut fixes) = (Vec::new(), Vec::new());
+        for (steps, variant) in holding {
+            let value = parameter.words(*steps)?;
+            let broken = self.broken(variant);
+            if broken.is_none() {
+                fixes.extend(self.default_put(name, &now, &value));
+            }
+            let broken = broken.map_or_else(String::new, |broken| format!(" (but then {broken})"));
+            words.push(format!("{value}{}{broken}", variant.said_before()));
+        }
+        let clean = holding.iter().any(|(_, variant)| self.broken(variant).is_none());
+        let worth = if clean { Worth::Mends } else { Worth::Breaks };
+        let sentence = format!("it holds with {name} = {}; now it is {now}", words.join(" or "));
+        (!words.is_empty()).then_some(Remedy { sentence, fixes, worth })
     }
 
     /// Parameters of the design whose values are no numbers in a range, and so are not tried.
@@ -111,87 +137,87 @@ impl Remedies<'_> {
         self.variants.with(&change, Some(&value), planarized).cloned()
     }
 
-    fn holds(
-        &mut self,
-        parameter: &Movable,
-        steps: i64,
-        figure: &str,
-        asked: Asked,
-        planarized: bool,
-    ) -> bool {
-        let variant = self.moved(parameter, steps, planarized);
-        let blocks = variant.into_iter().flat_map(|variant| variant.blocks);
-        blocks.into_iter().any(|block| block.figure == figure && block.holds(asked))
+    fn holds(&mut self, scan: &Scan<'_>, steps: i64) -> bool {
+        let variant = self.moved(scan.parameter, steps, scan.planarized);
+        variant.is_some_and(|variant| scan.holds(&variant))
     }
 
     /// The smallest number of steps that way at which it holds: step by step where that can be afforded, else in
     /// strides to the end of the range and then by halving, which finds the nearest value where it fails on one side
-    /// and holds on the other.
-    fn nearest(
-        &mut self,
-        parameter: &Movable,
-        way: i64,
-        figure: &str,
-        asked: Asked,
-        planarized: bool,
-        tries: u64,
-    ) -> Option<i64> {
-        let reach = parameter.reach[usize::from(way > 0)];
-        let most = i64::try_from(tries).unwrap_or(MOST_IN_TURN).min(MOST_IN_TURN);
+    /// and holds on the other. What holds on quads as they are designed is planarized, and where it fails then, some
+    /// more steps are tried.
+    fn nearest(&mut self, scan: &Scan<'_>, way: i64) -> Option<(i64, Variant)> {
+        let reach = scan.parameter.reach[usize::from(way > 0)];
+        let most = i64::try_from(scan.tries).unwrap_or(MOST_IN_TURN).min(MOST_IN_TURN);
         let mut failed = 0;
         for steps in strides(reach, most) {
-            if !self.holds(parameter, way * steps, figure, asked, planarized) {
+            if !self.holds(scan, way * steps) {
                 failed = steps;
                 continue;
             }
             let mut holds = steps;
             while holds - failed > 1 {
                 let between = failed + (holds - failed) / 2;
-                match self.holds(parameter, way * between, figure, asked, planarized) {
+                match self.holds(scan, way * between) {
                     true => holds = between,
                     false => failed = between,
                 }
             }
-            return Some(way * holds);
+            let further = FURTHER.into_iter().map(|further| holds + further).filter(|steps| *steps <= reach);
+            return further.into_iter().find_map(|steps| self.confirmed(scan, way * steps));
         }
         None
     }
 
-    /// How near the better end of a range comes: how far it is beyond the limit, and a sentence. `None` where it is no
-    /// better than now.
-    fn best_end(
-        &mut self,
-        parameter: &Movable,
-        figure: &str,
-        asked: Asked,
-        planarized: bool,
-    ) -> Option<(f64, String)> {
-        let Asked::Requirement(place) = asked else { return None };
-        let shortfall = |requirement: &crate::analysis::RequirementResult| {
-            let (least, most) = requirement.result.extremes?;
-            match requirement.limit {
-                crate::analysis::LimitValue::Plain(limit) => {
-                    Some(limit.shortfall(least).max(limit.shortfall(most)))
-                }
-                crate::analysis::LimitValue::Grain(_) => Some(-least),
-            }
-        };
-        let now = shortfall(self.now(figure)?.requirements.get(place)?)?;
-        let mut best: Option<(f64, String)> = None;
-        for steps in [-parameter.reach[0], parameter.reach[1]].into_iter().filter(|steps| *steps != 0) {
-            let Some(variant) = self.moved(parameter, steps, planarized) else { continue };
-            let Some(block) = variant.blocks.iter().find(|block| block.figure == figure) else { continue };
+    /// A number of steps at which it holds, with the design as it would be built where that can be afforded; `None` where
+    /// it fails.
+    fn confirmed(&mut self, scan: &Scan<'_>, steps: i64) -> Option<(i64, Variant)> {
+        let variant = self.moved(scan.parameter, steps, scan.planarized)?;
+        if variant.planarized {
+            return scan.holds(&variant).then_some((steps, variant));
+        }
+        let change = Change::Parameter(scan.parameter.name.clone(), steps);
+        let elements = variant.blocks.iter().map(|block| block.elements as u64).sum();
+        match self.variants.confirmed(&change, Some(&scan.parameter.value(steps)?), elements) {
+            Confirmed::Planarized(variant) => scan.holds(&variant).then_some((steps, variant)),
+            Confirmed::Faulty => None,
+            Confirmed::TooLong => scan.holds(&variant).then_some((steps, variant)),
+        }
+    }
+
+    /// How near the best comes of what was tried of a parameter: how far it is beyond the limit, and a sentence. `None`
+    /// where it is no better than now.
+    fn best_tried(&mut self, scan: &Scan<'_>) -> Option<(f64, String)> {
+        let Asked::Requirement(place) = scan.asked else { return None };
+        for end in [-scan.parameter.reach[0], scan.parameter.reach[1]].into_iter().filter(|end| *end != 0) {
+            self.moved(scan.parameter, end, scan.planarized);
+        }
+        let now = shortfall(scan.now.requirements.get(place)?)?;
+        let mut best: Option<(f64, i64, &Variant, &Block)> = None;
+        for (steps, variant) in self.variants.tried_of(&scan.parameter.name, scan.planarized) {
+            let Some(block) = variant.block(&scan.now.figure) else { continue };
             let Some(beyond) = block.requirements.get(place).and_then(shortfall) else { continue };
-            if beyond < best.as_ref().map_or(now - now.abs() * 0.01, |(best, _)| *best) {
-                let (value, found) = (parameter.words(steps)?, found(block, asked)?);
-                let sentence = format!(
-                    "moving {} inside its range is not enough: {value}, the best that was tried, gives {found}",
-                    parameter.name
-                );
-                best = Some((beyond, sentence));
+            if beyond < best.as_ref().map_or(now - now.abs() * 0.01, |(best, ..)| *best) {
+                best = Some((beyond, steps, variant, block));
             }
         }
-        best
+        let (beyond, steps, variant, block) = best?;
+        let (value, found) = (scan.parameter.words(steps)?, found(block, scan.asked)?);
+        let sentence = format!(
+            "moving {} inside its range is not enough: {value}, the best that was tried, gives {found}{}",
+            scan.parameter.name,
+            variant.said_before()
+        );
+        Some((beyond, sentence))
+    }
+}
+
+/// How far what was measured is beyond the limit, at worst.
+pub(super) fn shortfall(requirement: &RequirementResult) -> Option<f64> {
+    let (least, most) = requirement.result.extremes?;
+    match requirement.limit {
+        LimitValue::Plain(limit) => Some(limit.shortfall(least).max(limit.shortfall(most))),
+        LimitValue::Grain(_) => Some(-least),
     }
 }
 

@@ -7,14 +7,15 @@ use crate::analysis::fabrication::{Elements, Fabrication};
 use crate::analysis::requirements::RequirementResult;
 use crate::analysis::watch::{Quietly, Watch};
 use crate::diagnostic::Severity;
-use crate::hir::evaluate::{Limits, Overrides};
+use crate::hir::evaluate::{Limits, Overrides, Planarizing};
 use crate::hir::scalar::Scalar;
+use crate::hir::schema::ChoiceKind;
 use crate::hir::tree::Hir;
+use crate::hir::value::Value;
 use crate::plan::lower::Lowered;
 use std::collections::BTreeMap;
 
-/// How many elements may be worked out in all while levels are tried, and again as many while parameters are: both
-/// together take about half a second.
+/// How many elements may be worked out in all from each purse: all together take about a second.
 const MOST_ELEMENTS: u64 = 160_000;
 
 /// What a variant costs beside its elements, in elements: the evaluation of the text.
@@ -23,6 +24,9 @@ const EACH_VARIANT: u64 = 150;
 /// What planarizing an element costs, in elements.
 const PLANARIZING: u64 = 150;
 
+/// How many times as many iterations are tried.
+pub(super) const MORE_ITERATIONS: u64 = 4;
+
 /// What the budget is kept apart for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Purse {
@@ -30,6 +34,20 @@ pub(super) enum Purse {
     Levels,
     /// Other values of parameters.
     Parameters,
+    /// What holds on quads as they are designed, planarized to see whether it holds then.
+    Confirmations,
+    /// Other ways to planarize.
+    Flatness,
+}
+
+/// What a change that holds on quads as they are designed comes to where they are planarized.
+pub(super) enum Confirmed {
+    /// The design with it, planarized as it asks.
+    Planarized(Variant),
+    /// It has errors then.
+    Faulty,
+    /// Planarizing so many takes too long to be tried.
+    TooLong,
 }
 
 /// What is changed.
@@ -39,6 +57,44 @@ pub(super) enum Change {
     Level(String, i32),
     /// A parameter, by so many steps.
     Parameter(String, i64),
+    /// How a figure is planarized.
+    Planarized(String, Planarized),
+}
+
+/// How a figure is planarized otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Planarized {
+    /// As its block asks, or by default where it does not.
+    AtAll,
+    /// By projection.
+    ByProjection,
+    /// For so many iterations.
+    Iterations(u32),
+    /// With these vertices in place, by the word's place among its choices.
+    Pinned(usize),
+}
+
+impl Planarized {
+    /// The setting that says so.
+    fn setting(self) -> Option<(&'static str, Value)> {
+        Some(match self {
+            Planarized::AtAll => return None,
+            Planarized::ByProjection => ("method", Value::Choice(ChoiceKind::PlanarizeMethod, 1)),
+            Planarized::Iterations(most) => ("iterations", Value::Scalar(Scalar::integer(i64::from(most)))),
+            Planarized::Pinned(place) => ("pin", Value::Choice(ChoiceKind::Pin, place)),
+        })
+    }
+
+    /// How it is written: `pin: none`.
+    pub(super) fn words(self) -> String {
+        match self.setting() {
+            None => "planarize: {}".to_owned(),
+            Some((name, Value::Choice(kind, place))) => {
+                format!("{name}: {}", kind.words().get(place).map_or("", |word| word.name))
+            }
+            Some((name, value)) => format!("{name}: {}", value.number().unwrap_or_default()),
+        }
+    }
 }
 
 /// What a block gives.
@@ -79,6 +135,18 @@ pub(super) struct Variant {
     pub(super) planarized: bool,
 }
 
+impl Variant {
+    /// What the block of this figure gives.
+    pub(super) fn block(&self, figure: &str) -> Option<&Block> {
+        self.blocks.iter().find(|block| block.figure == figure)
+    }
+
+    /// What follows on a number that was measured on quads as they are designed, and not as they will be built.
+    pub(super) fn said_before(&self) -> &'static str {
+        if self.planarized { "" } else { " before planarizing" }
+    }
+}
+
 /// The variants tried so far.
 pub(super) struct Variants<'a> {
     hir: &'a Hir,
@@ -87,8 +155,8 @@ pub(super) struct Variants<'a> {
     elements: u64,
     /// Whether the design planarizes.
     planarizes: bool,
-    /// What is left for levels and for parameters.
-    left: [u64; 2],
+    /// What is left in each purse.
+    left: [u64; 4],
     tried: BTreeMap<(Change, bool), Option<Variant>>,
     watch: &'a mut dyn Watch,
 }
@@ -106,71 +174,140 @@ impl<'a> Variants<'a> {
             Elements::Planks(_) => false,
         });
         let elements = counts.map(|count| count.elements).sum();
-        let left = [MOST_ELEMENTS; 2];
+        let left = [MOST_ELEMENTS, MOST_ELEMENTS, MOST_ELEMENTS, 2 * MOST_ELEMENTS];
         Variants { hir, overrides, elements, planarizes, left, tried: BTreeMap::new(), watch }
+    }
+
+    /// Whether the design planarizes.
+    pub(super) fn planarizes(&self) -> bool {
+        self.planarizes
     }
 
     /// How many more variants of so many elements can be tried, with other parameters or other levels.
     pub(super) fn affordable(&self, purse: Purse, elements: u64, planarized: bool) -> u64 {
-        self.left[purse as usize] / self.cost(elements, planarized)
+        self.left[purse as usize] / cost(elements, self.each(planarized))
     }
 
     /// How many values of each of so many parameters can be tried in either direction from the beginning on.
     pub(super) fn share(&self, parameters: usize, planarized: bool) -> u64 {
-        MOST_ELEMENTS / self.cost(self.elements, planarized) / (2 * parameters as u64).max(1)
+        MOST_ELEMENTS / cost(self.elements, self.each(planarized)) / (2 * parameters as u64).max(1)
     }
 
-    fn cost(&self, elements: u64, planarized: bool) -> u64 {
-        let each = if planarized && self.planarizes { PLANARIZING } else { 1 };
-        elements.saturating_mul(each).saturating_add(EACH_VARIANT)
+    /// What an element costs, in elements that are not planarized.
+    fn each(&self, planarized: bool) -> u64 {
+        if planarized && self.planarizes { PLANARIZING } else { 1 }
     }
 
-    /// The design with a change; `None` where it has errors, or where the budget is used up. Sizes can be judged without
-    /// planarizing, which takes most of the time.
+    /// The design with a figure planarized otherwise; `None` where that takes too long.
+    pub(super) fn planarized(&mut self, figure: &str, how: Planarized) -> Option<Confirmed> {
+        let each = match how {
+            Planarized::Iterations(_) => PLANARIZING * MORE_ITERATIONS,
+            _ => PLANARIZING,
+        };
+        if self.left[Purse::Flatness as usize] < cost(self.elements, each) {
+            return None;
+        }
+        let change = Change::Planarized(figure.to_owned(), how);
+        let found = self.from((Purse::Flatness, each), &change, None, true).cloned();
+        Some(found.map_or(Confirmed::Faulty, Confirmed::Planarized))
+    }
+
+    /// The design with a change; `None` where it has errors, or where the budget is used up. Where sizes are judged
+    /// without planarizing, which takes most of the time, what is found is to be [confirmed](Self::confirmed).
     pub(super) fn with(
         &mut self,
         change: &Change,
         value: Option<&Scalar>,
         planarized: bool,
     ) -> Option<&Variant> {
+        let purse = match change {
+            Change::Parameter(..) => Purse::Parameters,
+            Change::Level(..) | Change::Planarized(..) => Purse::Levels,
+        };
+        self.from((purse, self.each(planarized)), change, value, planarized)
+    }
+
+    /// The design with a change, of so many elements, planarized as it asks.
+    pub(super) fn confirmed(&mut self, change: &Change, value: Option<&Scalar>, elements: u64) -> Confirmed {
+        let known = self.tried.contains_key(&(change.clone(), true));
+        if !known && self.affordable(Purse::Confirmations, elements, true) == 0 {
+            return Confirmed::TooLong;
+        }
+        match self.from((Purse::Confirmations, self.each(true)), change, value, true) {
+            Some(variant) => Confirmed::Planarized(variant.clone()),
+            None => Confirmed::Faulty,
+        }
+    }
+
+    /// What was found with so many steps of a parameter, in order.
+    pub(super) fn tried_of(
+        &self,
+        parameter: &str,
+        planarized: bool,
+    ) -> impl Iterator<Item = (i64, &Variant)> {
+        let planarized = planarized || !self.planarizes;
+        self.tried.iter().filter_map(move |((change, how), variant)| match change {
+            Change::Parameter(name, steps) if name == parameter && *how == planarized => {
+                Some((*steps, variant.as_ref()?))
+            }
+            _ => None,
+        })
+    }
+
+    fn from(
+        &mut self,
+        purse: (Purse, u64),
+        change: &Change,
+        value: Option<&Scalar>,
+        planarized: bool,
+    ) -> Option<&Variant> {
         let key = (change.clone(), planarized || !self.planarizes);
         if !self.tried.contains_key(&key) {
-            let variant = self.work_out(change, value, key.1);
+            let variant = self.work_out(purse, change, value, key.1);
             self.tried.insert(key.clone(), variant);
         }
         self.tried.get(&key)?.as_ref()
     }
 
-    fn work_out(&mut self, change: &Change, value: Option<&Scalar>, planarized: bool) -> Option<Variant> {
-        let purse = match change {
-            Change::Level(..) => Purse::Levels,
-            Change::Parameter(..) => Purse::Parameters,
-        };
-        if self.affordable(purse, 0, planarized) == 0 || self.watch.step().is_break() {
+    fn work_out(
+        &mut self,
+        (purse, each): (Purse, u64),
+        change: &Change,
+        value: Option<&Scalar>,
+        planarized: bool,
+    ) -> Option<Variant> {
+        let left = self.left[purse as usize];
+        if left < cost(0, each) || self.watch.step().is_break() {
             return None;
         }
-        let left = self.left[purse as usize];
         let mut overrides = self.overrides.clone();
+        overrides.planarizing = if planarized { Planarizing::AsAsked } else { Planarizing::Never };
         match change {
             Change::Level(figure, shift) => overrides.level_shift = Some((figure.clone(), *shift)),
             Change::Parameter(name, _) => {
                 overrides.values.insert(name.clone(), value?.clone());
             }
+            Change::Planarized(figure, how) => {
+                overrides.planarizing = Planarizing::With { figure: figure.clone(), setting: how.setting() };
+            }
         }
-        overrides.leave_unplanarized = !planarized;
-        let each = if planarized && self.planarizes { PLANARIZING } else { 1 };
         let most = (left / each).min(overrides.limits.elements);
         overrides.limits =
             Limits { elements: most, boards: overrides.limits.boards.min(most), ..overrides.limits };
         let evaluated = evaluate(self.hir, &overrides, &mut Quietly(self.watch));
         let counts = evaluated.plan.iter().flat_map(|plan| &plan.counts);
         let elements = counts.map(|count| count.elements).sum();
-        self.left[purse as usize] = left.saturating_sub(self.cost(elements, planarized));
+        self.left[purse as usize] = left.saturating_sub(cost(elements, each));
         let complete = evaluated.fabrications.len() == self.hir.fabricates.len();
         let sound = evaluated.diagnostics.iter().all(|found| found.severity() != Severity::Error);
         (complete && sound)
             .then(|| Variant { blocks: blocks(evaluated.plan.as_ref(), &evaluated.fabrications), planarized })
     }
+}
+
+/// What a variant of so many elements costs, each of them so much.
+fn cost(elements: u64, each: u64) -> u64 {
+    elements.saturating_mul(each).saturating_add(EACH_VARIANT)
 }
 
 /// What the blocks of a design give.

@@ -1,6 +1,6 @@
 //! How long an evaluation may take.
 
-use super::{Evaluator, Limits, Outcome, Stop};
+use super::{Evaluator, Limits, Outcome, Planarizing, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::scalar::Scalar;
 use crate::source::Span;
@@ -32,9 +32,9 @@ impl Evaluator<'_> {
         self.overrides.limits
     }
 
-    /// Whether surfaces are left as designed where they would be planarized.
-    pub fn leaves_unplanarized(&self) -> bool {
-        self.overrides.leave_unplanarized
+    /// How surfaces are planarized.
+    pub fn planarizing(&self) -> &Planarizing {
+        &self.overrides.planarizing
     }
 
     /// Counts a step at an expression.

@@ -136,7 +136,13 @@ impl Evaluator<'_> {
         outcome
     }
 
-    fn parts_inside(&mut self, instance: &Instance, ifs: &Ifs, counts: &[Option<usize>]) -> Outcome<Parts> {
+    /// The frame of an ifs with its `let`, and why one has no value.
+    fn frame_with_lets(
+        &mut self,
+        instance: &Instance,
+        ifs: &Ifs,
+        counts: &[Option<usize>],
+    ) -> Outcome<(Frame, Option<Stop>)> {
         let mut frame = self.instance_frame(instance, ifs, counts)?;
         let mut stop = None;
         for (slot, value) in &ifs.lets {
@@ -148,6 +154,20 @@ impl Evaluator<'_> {
                 }
             }
         }
+        Ok((frame, stop))
+    }
+
+    /// The values of the `let` of an ifs, in their order.
+    pub(super) fn lets(&mut self, instance: &Instance, ifs: &Ifs) -> Outcome<Vec<Outcome<Value>>> {
+        let counts = self.point_counts(instance, ifs)?;
+        self.points = point_names(ifs, &counts);
+        let (frame, _) = self.frame_with_lets(instance, ifs, &counts)?;
+        let value = |slot: LocalId| frame.slots.get(slot.0 as usize).cloned().unwrap_or(Err(Stop::Reported));
+        Ok(ifs.lets.iter().map(|(slot, _)| value(*slot)).collect())
+    }
+
+    fn parts_inside(&mut self, instance: &Instance, ifs: &Ifs, counts: &[Option<usize>]) -> Outcome<Parts> {
+        let (mut frame, mut stop) = self.frame_with_lets(instance, ifs, counts)?;
         let (pieces, stopped) = self.pieces(&mut frame, ifs);
         if let Some(stop) = stopped.or(stop.take()) {
             return Err(stop);

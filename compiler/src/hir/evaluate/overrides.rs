@@ -25,10 +25,27 @@ pub struct Overrides {
     pub values: BTreeMap<String, Scalar>,
     /// A figure whose levels are read higher or lower by so much.
     pub level_shift: Option<(String, i32)>,
-    /// Whether surfaces are left as designed where they would be planarized. For looking for remedies.
-    pub leave_unplanarized: bool,
+    /// How surfaces are planarized. For looking for remedies.
+    pub planarizing: Planarizing,
     /// What the design may ask for.
     pub limits: Limits,
+}
+
+/// How surfaces are planarized.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Planarizing {
+    /// As their blocks ask.
+    #[default]
+    AsAsked,
+    /// Not at all.
+    Never,
+    /// One figure with a setting of `planarize` beside those that its block names, or with none; others as they ask.
+    With {
+        /// The name of the figure.
+        figure: String,
+        /// The name of the setting and its value.
+        setting: Option<(&'static str, Value)>,
+    },
 }
 
 /// A machine that is named from outside: a value of a file of the project.

@@ -2,11 +2,12 @@
 
 use super::instance::Parts;
 use super::{Evaluator, Outcome, Stop};
-use crate::exact::RationalFunction;
+use crate::exact::{Rational, RationalFunction};
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::{Ifs, ItemId, ItemKind};
 use crate::hir::types::Type;
-use crate::hir::value::{Instance, Value};
+use crate::hir::value::{Instance, Terms, Value};
+use crate::source::Span;
 
 /// A transform of an ifs for all values of its parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,7 +20,40 @@ pub struct SymbolicTransform {
     pub rows: Vec<Vec<String>>,
 }
 
+/// A `let` of an ifs that is a sum of its control points, for all values of its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SymbolicSum {
+    /// Where its value stands.
+    pub value: Span,
+    /// A point where its weights sum to 1, a vector where they sum to 0; none else.
+    pub ty: Option<Type>,
+    /// Its weights: `1/2 a + 1/2 b`.
+    pub weights: String,
+}
+
 impl Evaluator<'_> {
+    /// Those of the `let` of an ifs that are sums of its control points; a report leaves one out.
+    pub fn symbolic_sums(&mut self, id: ItemId) -> Vec<SymbolicSum> {
+        let hir = self.hir;
+        let ItemKind::Ifs(ifs) = &hir.item(id).kind else { return Vec::new() };
+        self.atoms.clear();
+        let Ok(arguments) = self.symbolic_arguments(ifs) else { return Vec::new() };
+        self.begin_symbolic();
+        let values = self.lets(&Instance { ifs: id, arguments }, ifs);
+        self.end_symbolic();
+        let sums = ifs.lets.iter().zip(values.unwrap_or_default()).filter_map(|((_, expr), value)| {
+            let Ok(Value::Combination(sum)) = value else { return None };
+            let Terms::Weights(weights) = &sum.terms else { return None };
+            let ty = match sum.weight.to_rational() {
+                Some(weight) if weight == Rational::ONE => Some(Type::Point(ifs.space)),
+                Some(weight) if weight == Rational::ZERO => Some(Type::Vector(ifs.space)),
+                _ => None,
+            };
+            Some(SymbolicSum { value: expr.span, ty, weights: self.weights_words(weights) })
+        });
+        sums.collect()
+    }
+
     /// Checks the weights of an ifs for all values of its parameters, as rational functions of them.
     ///
     /// What depends on more than arithmetic (a condition, a count) is left to each instance.

@@ -1,21 +1,18 @@
 //! Running a test: its lines in order, and what is said where an assertion does not hold.
 
-use super::{Evaluator, Frame, Outcome, Stop, quantity_words};
+use super::told::words;
+use super::{Evaluator, Frame, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::dimension::Dimension;
 use crate::hir::scalar::Scalar;
 use crate::hir::tree::{Expr, ExprKind, ItemId, Made, Test, TestStep};
 use crate::hir::types::Type;
-use crate::hir::value::{Terms, Value};
+use crate::hir::value::Value;
 use crate::source::Span;
 use crate::syntax::ast::Comparison;
 use std::collections::BTreeMap;
 
 /// What is made of the figures of a design.
 pub type MadeValues = BTreeMap<(ItemId, Made), Value>;
-
-/// How many elements of a list are shown.
-const SHOWN: usize = 4;
 
 impl<'a> Evaluator<'a> {
     /// The same evaluator, knowing what is made of the figures.
@@ -123,46 +120,4 @@ fn failure(comparison: Comparison) -> &'static str {
 fn both_words((a, a_type): (&Value, &Type), (b, b_type): (&Value, &Type)) -> (String, String) {
     let (short_a, short_b) = (words(a, a_type, false), words(b, b_type, false));
     if short_a == short_b { (words(a, a_type, true), words(b, b_type, true)) } else { (short_a, short_b) }
-}
-
-fn words(value: &Value, ty: &Type, exact: bool) -> String {
-    let number = |scalar: &Scalar, dimension: Dimension| match scalar.to_f64() {
-        Some(value) if exact => {
-            let (unit, worth) = dimension.display_unit();
-            format!("{}{unit}", value / worth)
-        }
-        Some(value) => quantity_words(value, dimension),
-        None => "an unknown number".to_owned(),
-    };
-    match value {
-        Value::Scalar(scalar) => number(scalar, ty.dimension().unwrap_or(Dimension::NUMBER)),
-        Value::Bool(truth) => truth.to_string(),
-        Value::Text(text) => format!("\"{text}\""),
-        Value::List(list) => {
-            let element = match ty {
-                Type::List(element) => element,
-                other => other,
-            };
-            let mut shown: Vec<String> =
-                list.iter().take(SHOWN).map(|value| words(value, element, exact)).collect();
-            if list.len() > SHOWN {
-                shown.push(format!("… {} in all", list.len()));
-            }
-            format!("[{}]", shown.join(", "))
-        }
-        Value::Combination(sum) => match &sum.terms {
-            Terms::Coordinates(coordinates) => {
-                let parts: Vec<String> =
-                    coordinates.iter().map(|part| number(part, Dimension::LENGTH)).collect();
-                format!("({})", parts.join(", "))
-            }
-            Terms::Weights(_) => "a combination of control points".to_owned(),
-        },
-        Value::Record(..) => "a record with other fields".to_owned(),
-        Value::Size(length, width) => {
-            format!("{} by {}", number(length, Dimension::LENGTH), number(width, Dimension::LENGTH))
-        }
-        Value::Choice(kind, place) => kind.words().get(*place).map_or("a word", |word| word.name).to_owned(),
-        _ => "this".to_owned(),
-    }
 }

@@ -115,6 +115,34 @@ impl Measure {
         }
     }
 
+    /// What is measured.
+    pub const fn doc(self) -> &'static str {
+        match self {
+            Measure::Planarity => {
+                "the cosine of the angle between the two triangles of a quad, split along the diagonal that folds less; 1 is flat"
+            }
+            Measure::Fold => {
+                "the angle between the two triangles of a quad, split along the diagonal that folds less"
+            }
+            Measure::DiagonalRatio => {
+                "the distance at which the diagonals pass each other by their mean length"
+            }
+            Measure::Edge => "the length of each side of a board",
+            Measure::Length => {
+                "of a plank, on its axis; of a board, along its grain, or along its longest side where the grain is free"
+            }
+            Measure::Width => "the least width of the unrolled board, between two parallel lines",
+            Measure::Area => "the area of the unrolled board",
+            Measure::Angle => "the angle at each corner of the unrolled board",
+            Measure::Bevel => "how far each edge that meets another board is from a square cut",
+            Measure::BendRadius => "the radius to which the designed surface bends the board",
+            Measure::Mitre => "the angle of an end of a plank from a square cut",
+            Measure::Overlap => "how far the interior joints of neighbouring curves of the figure are apart",
+            Measure::Mass => "what each board or plank weighs; the material must have a density",
+            Measure::Count => "how many boards or planks the figure has",
+        }
+    }
+
     /// The least and the largest value that any element can have: mm, mm², kg, rad, or a plain number.
     pub fn possible(self) -> (f64, f64) {
         match self {

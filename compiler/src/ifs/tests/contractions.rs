@@ -56,7 +56,7 @@ fn scaled_rotations_contract_at_once_in_the_euclidean_norm() {
     // 24/25 of a turn by the angle of the triangle 3, 4, 5: its ∞-norm is above 1.
     let turn = matrix(125, &[&[125, 0, 0], &[-43, 72, 96], &[149, -96, 72]]);
     let state = automaton(curve("turn", vec![turn.clone(), turn], unit(3, 0), unit(3, 1)));
-    let bound = 246.0 / 256.0;
+    let bound = 62_915.0 / 65_536.0;
     assert_eq!(verdict(&state), Contraction::Proved { length: 1, bound, norm: Norm::Euclidean });
 }
 

@@ -4,10 +4,10 @@ use super::places::weights;
 use super::{FigureSource, Lowering};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
-use crate::hir::evaluate::quantity_words;
+use crate::hir::evaluate::quantity_words_to;
 use crate::hir::tree::ItemId;
 use crate::ifs::{
-    Automaton, Contraction, GermShape, Joins, StateId, StateSpace, contraction, difference_norm, joins,
+    Automaton, Contraction, GermShape, Joins, StateId, StateSpace, contraction, joins, step_factor,
     windows_join,
 };
 use crate::plan::figure::{Depth, FigurePlan, PiecesPlan, Shape};
@@ -80,7 +80,8 @@ impl Lowering<'_, '_> {
             }
         };
         let factors = automaton.state(state).transforms.iter().map(|transform| {
-            let factor = quantity_words(difference_norm(transform).to_f64(), Dimension::NUMBER);
+            let factor = step_factor(automaton, state, transform);
+            let factor = quantity_words_to(factor, Dimension::NUMBER, 6);
             format!("`{}` {factor}", transform.name)
         });
         let note = format!("factors of one step: {}", factors.collect::<Vec<_>>().join(", "));

@@ -45,7 +45,8 @@ use layout::Layout;
 /// How wide a line may become before it is broken, comments and columns apart.
 pub const COLUMNS: usize = 120;
 
-/// The text of `source`, laid out; `parse` is what [`super::parse`] made of it. Lines end with LF.
+/// The text of `source`, laid out; `parse` is what [`super::parse`] made of it. All lines end as the first
+/// does, with LF or CRLF.
 ///
 /// None where the text has errors, since a text that is not understood is left alone, and where indents would make it
 /// longer than what is read ([`MAX_BYTES`]).
@@ -57,5 +58,11 @@ pub fn format(parse: &Parse, source: &Source) -> Option<String> {
     marks::mark(&parse.ast, &mut pieces);
     let groups = group::groups(&pieces);
     let lines = write::lines(Layout::new(&pieces, groups));
-    align::text(lines, MAX_BYTES)
+    let text = align::text(lines, MAX_BYTES)?;
+    let first = source.text.split_inclusive('\n').next().unwrap_or("");
+    if !first.ends_with("\r\n") {
+        return Some(text);
+    }
+    let text = text.replace('\n', "\r\n");
+    (text.len() <= MAX_BYTES).then_some(text)
 }

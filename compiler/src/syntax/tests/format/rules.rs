@@ -144,7 +144,9 @@ fn comments_stay_where_they_stand() {
     becomes("record A { a: Int // x\n b: Int }\n", "record A {\n    a: Int  // x\n    b: Int\n}\n");
     becomes("record A { /// x\n b: Int }\n", "record A {  /// x\n    b: Int\n}\n");
     becomes("fabricate a as b {\n// one\n\n// two\n}\n", "fabricate a as b {\n    // one\n\n    // two\n}\n");
-    becomes("// only\r\n\r\n//! and docs\r\n", "// only\n\n//! and docs\n");
+    becomes("// only\r\n\r\n//! and docs\r\n", "// only\r\n\r\n//! and docs\r\n");
+    becomes("let a  = 1\r\nlet b = 2\n", "let a = 1\r\nlet b = 2\r\n");
+    becomes("let a  = 1\nlet b = 2\r\n", "let a = 1\nlet b = 2\n");
 }
 
 #[test]
