@@ -188,7 +188,7 @@ pub enum MessageFormat {
     Human,
     /// One line each
     Short,
-    /// One JSON object a line, for programs
+    /// One JSON object a line, for programs: on stdout, and on stderr where a command prints data of its own (fmt, params)
     Json,
 }
 

@@ -11,8 +11,8 @@ use ifs_compiler::diagnostic::Diagnostic;
 use ifs_compiler::hir::evaluate::{MachineName, Overrides};
 use ifs_compiler::source::{FileId, SourceMap};
 
-use crate::args::{MessageFormat, NamedMachine, Setting};
-use crate::commands::tell;
+use crate::args::{NamedMachine, Setting};
+use crate::commands::{Messages, tell};
 use crate::environment;
 use crate::exit::Exit;
 use crate::output;
@@ -42,14 +42,14 @@ impl Project {
     ///
     /// # Errors
     /// The path is not UTF-8, or the `ifs.toml` has errors; that has been said.
-    pub fn open(named: &Path, format: MessageFormat) -> Result<Project, Exit> {
+    pub fn open(named: &Path, messages: impl Into<Messages>) -> Result<Project, Exit> {
         let Some((mut project, marked)) = Project::of(named) else {
             output::message("error: a path that is not UTF-8\n");
             return Err(Exit::Usage);
         };
         if marked {
             let diagnostics = project.read_settings();
-            let told = tell(&diagnostics, &project.text, format);
+            let told = tell(&diagnostics, &project.text, messages);
             if told.exit != Exit::Good {
                 return Err(told.exit);
             }
@@ -136,35 +136,35 @@ impl Project {
     }
 
     /// Analyses the design and tells what it finds.
-    pub fn analyse(&self, settings: &[Setting], format: MessageFormat) -> Analysed {
-        self.analyse_watched(settings, format, &mut Unwatched)
+    pub fn analyse(&self, settings: &[Setting], messages: impl Into<Messages>) -> Analysed {
+        self.analyse_watched(settings, messages, &mut Unwatched)
     }
 
     /// The same, telling how far it is where it takes long.
     pub fn analyse_watched(
         &self,
         settings: &[Setting],
-        format: MessageFormat,
+        messages: impl Into<Messages>,
         watch: &mut dyn Watch,
     ) -> Analysed {
         let overrides = self.overrides(settings);
-        self.told(analyse_watched(&self.disk, &self.disk.design, &overrides, watch), format)
+        self.told(analyse_watched(&self.disk, &self.disk.design, &overrides, watch), messages)
     }
 
     /// The same with nothing set but what is given here.
-    pub fn analyse_with(&self, overrides: &Overrides, format: MessageFormat) -> Analysed {
-        self.told(analyse(&self.disk, &self.disk.design, overrides), format)
+    pub fn analyse_with(&self, overrides: &Overrides, messages: impl Into<Messages>) -> Analysed {
+        self.told(analyse(&self.disk, &self.disk.design, overrides), messages)
     }
 
     /// Reads the design as far as its typed tree and tells what it finds.
-    pub fn read(&self, settings: &[Setting], format: MessageFormat) -> Analysed {
-        self.told(read(&self.disk, &self.disk.design, &self.overrides(settings)), format)
+    pub fn read(&self, settings: &[Setting], messages: impl Into<Messages>) -> Analysed {
+        self.told(read(&self.disk, &self.disk.design, &self.overrides(settings)), messages)
     }
 
-    fn told(&self, analysis: Analysis, format: MessageFormat) -> Analysed {
-        let sources = self.shown(&analysis.sources);
-        let project = tell(&misspelt_parameters(&self.settings, &analysis.hir), &self.text, format);
-        let exit = tell(&analysis.diagnostics, &sources, format).exit;
+    fn told(&self, analysis: Analysis, messages: impl Into<Messages>) -> Analysed {
+        let (sources, messages) = (self.shown(&analysis.sources), messages.into());
+        let project = tell(&misspelt_parameters(&self.settings, &analysis.hir), &self.text, messages);
+        let exit = tell(&analysis.diagnostics, &sources, messages).exit;
         Analysed { exit: exit.max(project.exit), analysis, sources }
     }
 

@@ -13,4 +13,4 @@ mod tell;
 pub mod test;
 pub mod verify;
 
-pub use tell::{Told, tell};
+pub use tell::{Messages, Told, tell};

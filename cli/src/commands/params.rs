@@ -3,7 +3,7 @@
 use ifs_compiler::analysis::parameters::{ParameterInfo, ParameterWords, parameter_infos};
 use serde::Serialize;
 
-use super::tell;
+use super::{Messages, tell};
 use crate::args::{MessageFormat, Params};
 use crate::exit::Exit;
 use crate::output;
@@ -11,16 +11,17 @@ use crate::project::{Analysed, Project};
 
 /// Prints the parameters of a design; nothing else of it is worked out.
 pub fn params(params: &Params, format: MessageFormat) -> Exit {
-    let project = match Project::open(&params.file, format) {
+    let messages = Messages::beside_data(format);
+    let project = match Project::open(&params.file, messages) {
         Ok(project) => project,
         Err(exit) => return exit,
     };
-    let Analysed { analysis, sources, exit } = project.read(&params.settings, format);
+    let Analysed { analysis, sources, exit } = project.read(&params.settings, messages);
     if exit != Exit::Good {
         return exit;
     }
     let (infos, found) = parameter_infos(&analysis, &project.overrides(&params.settings));
-    let told = tell(&found, &sources, format);
+    let told = tell(&found, &sources, messages);
     let text = if params.json { json(&infos) } else { table(&infos) };
     told.exit.max(output::data(&text).err().unwrap_or(Exit::Good))
 }

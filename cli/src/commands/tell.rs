@@ -1,4 +1,4 @@
-//! Telling diagnostics: on stderr for people, on stdout for programs.
+//! Telling diagnostics: on stderr for people; for programs on stdout, unless that carries other data.
 
 use std::io::IsTerminal;
 
@@ -10,6 +10,27 @@ use ifs_compiler::source::SourceMap;
 use crate::args::MessageFormat;
 use crate::exit::Exit;
 use crate::output;
+
+/// How diagnostics are told, and where.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Messages {
+    format: MessageFormat,
+    beside_data: bool,
+}
+
+impl Messages {
+    /// Those of a command whose stdout carries a text, a table or the like: all go to stderr, JSON too.
+    pub fn beside_data(format: MessageFormat) -> Messages {
+        Messages { format, beside_data: true }
+    }
+}
+
+/// Those of a command that has lines of JSON on stdout or nothing: JSON goes there too.
+impl From<MessageFormat> for Messages {
+    fn from(format: MessageFormat) -> Messages {
+        Messages { format, beside_data: false }
+    }
+}
 
 /// What was told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +44,8 @@ pub struct Told {
 }
 
 /// Tells diagnostics: the first of them, errors before warnings when there are too many, then their number.
-pub fn tell(diagnostics: &[Diagnostic], sources: &SourceMap, format: MessageFormat) -> Told {
+pub fn tell(diagnostics: &[Diagnostic], sources: &SourceMap, messages: impl Into<Messages>) -> Told {
+    let Messages { format, beside_data } = messages.into();
     let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity() == Severity::Error).count();
     let warnings = diagnostics.len() - errors;
     let mut shown: Vec<&Diagnostic> = diagnostics.iter().collect();
@@ -37,6 +59,9 @@ pub fn tell(diagnostics: &[Diagnostic], sources: &SourceMap, format: MessageForm
         match format {
             MessageFormat::Human => output::message(&render_human(diagnostic, sources, style)),
             MessageFormat::Short => output::message(&render_short(diagnostic, sources)),
+            MessageFormat::Json if beside_data => {
+                output::message(&format!("{}\n", render_json(diagnostic, sources)));
+            }
             MessageFormat::Json => {
                 if let Err(failed) = output::data(&format!("{}\n", render_json(diagnostic, sources))) {
                     exit = exit.max(failed);
@@ -45,8 +70,12 @@ pub fn tell(diagnostics: &[Diagnostic], sources: &SourceMap, format: MessageForm
         }
     }
     if diagnostics.len() > SHOWN_AT_MOST {
-        // For programs too: on stderr, so that every line of stdout stays a diagnostic.
-        output::message(&format!("… and {} more\n", diagnostics.len() - SHOWN_AT_MOST));
+        let more = diagnostics.len() - SHOWN_AT_MOST;
+        match format {
+            MessageFormat::Json if beside_data => output::message(&format!("{{\"more\":{more}}}\n")),
+            // For programs too: on stderr, so that every line of stdout stays a diagnostic.
+            _ => output::message(&format!("… and {more} more\n")),
+        }
     }
     if !diagnostics.is_empty() && format != MessageFormat::Json {
         output::message(&format!("{}\n", summary(errors, warnings)));

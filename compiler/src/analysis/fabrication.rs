@@ -1,6 +1,7 @@
 //! A fabricate block worked out: the figure's elements as boards or planks, planarized first where that is asked for.
 
 mod flat;
+mod materials;
 mod nest;
 mod panels;
 mod planks;
@@ -210,6 +211,7 @@ impl Work<'_> {
         }
         self.put_machine();
         self.scale = self.scale_asked()?;
+        self.check_material()?;
         let material = self.setting("material").map(|(_, value, _)| value.clone());
         let mut limits: Vec<LimitValue> = Vec::new();
         for requirement in &self.block.requirements {

@@ -5,15 +5,17 @@
 //! speaks of mm/min and rpm.
 
 mod dialect;
+mod faults;
 mod fixing;
 #[cfg(test)]
 pub(crate) mod tests;
 
 pub use dialect::{CommentRule, Dialect, DwellUnit, LAST_PROGRAM_NUMBER, LengthOffset, Profile};
+pub use faults::{FigureUnit, MachineError, MachineErrors};
 pub use fixing::{Clamp, Fixing};
 
+use faults::Faults;
 use glam::DVec3;
-use std::fmt;
 
 /// Where the program's Z = 0 lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,76 +126,97 @@ pub struct Machine {
     engraver: usize,
 }
 
-/// Why a machine cannot be what it says.
-#[derive(Clone, Debug, PartialEq)]
-pub enum MachineError {
-    /// A figure is not a finite number in its range; `what` names the field, `range` what it must be.
-    OutOfRange {
-        /// The field, as users call it.
-        what: String,
-        /// The figure found.
-        value: f64,
-        /// What it must be.
-        range: String,
-    },
-    /// Two tools have this number.
-    RepeatedTool(u32),
-    /// The cutter or the engraver is not among the tools.
-    MissingTool(u32),
-}
+/// Greatest length in any program, mm: keeps every number short and exact to the third decimal.
+pub const MAX_LENGTH: f64 = 100_000.0;
 
-impl fmt::Display for MachineError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            MachineError::OutOfRange { what, value, range } => {
-                write!(f, "{what} is {value}, must be {range}")
-            }
-            MachineError::RepeatedTool(n) => write!(f, "tool number {n} is given twice"),
-            MachineError::MissingTool(n) => write!(f, "tool number {n} is not among the machine's tools"),
+/// Greatest speed of any spindle, rev/s.
+const MAX_SPINDLE: f64 = 10_000.0;
+
+impl MachineSpec {
+    /// Every figure that is out of range, repeated tool numbers, and a cutter or an engraver that is not there. What
+    /// depends on a figure that is wrong itself is left aside.
+    #[must_use]
+    pub fn faults(&self) -> Vec<MachineError> {
+        let mut faults = Faults::default();
+        for (what, value, least) in [
+            ("length (along X)", self.envelope.x, 1.0),
+            ("width (along Y)", self.envelope.y, 1.0),
+            ("height (along Z)", self.envelope.z, 1.0),
+            ("stock margin", self.stock_margin, 0.0),
+            ("cut-through", self.cut_through, 0.0),
+        ] {
+            faults.length(what, value, least, MAX_LENGTH);
         }
+        let safe = faults.length("safe height", self.safe_height, 1.0, MAX_LENGTH);
+        faults.within("spin-up time", self.spin_up, (0.0, 600.0), FigureUnit::Seconds);
+        let (slow, fast) = self.spindle_range;
+        let spindle = FigureUnit::RevolutionsPerMinute;
+        let speeds = faults.within("least spindle speed", slow, (0.1, MAX_SPINDLE), spindle)
+            && faults.within("greatest spindle speed", fast, (slow, MAX_SPINDLE), spindle);
+        let range = if speeds { self.spindle_range } else { (0.1, MAX_SPINDLE) };
+        let sound: Vec<bool> = self.tools.iter().map(|tool| tool.check(range, &mut faults)).collect();
+        for (i, tool) in self.tools.iter().enumerate() {
+            if self.tools[..i].iter().any(|other| other.number == tool.number) {
+                faults.0.push(MachineError::RepeatedTool(tool.number));
+            }
+        }
+        self.fixing.check(&mut faults);
+        if safe {
+            self.clamps.iter().for_each(|clamp| clamp.check(self.safe_height, &mut faults));
+        }
+        let mut find = |number: u32| {
+            let place = self.place_of(number);
+            let missing = MachineError::MissingTool(number);
+            if place.is_none() && !faults.0.contains(&missing) {
+                faults.0.push(missing);
+            }
+            place.filter(|place| sound[*place])
+        };
+        let (cutter, engraver) = (find(self.cutter), find(self.engraver));
+        if let Some(tool) = cutter.map(|place| &self.tools[place]) {
+            faults.length("finishing allowance", self.allowance, 0.0, tool.diameter / 2.0);
+        }
+        let deepest = engraver.map(|place| &self.tools[place]);
+        let deepest = deepest.map_or(MAX_LENGTH, |tool| tool.max_step_down.min(tool.flute_length));
+        faults.length("engraving depth", self.engrave_depth, 0.05, deepest);
+        faults.0
+    }
+
+    /// Where the first tool of this number stands.
+    fn place_of(&self, number: u32) -> Option<usize> {
+        self.tools.iter().position(|tool| tool.number == number)
     }
 }
 
-impl std::error::Error for MachineError {}
-
-/// Greatest length in any program, mm: keeps every number short and exact to the third decimal.
-pub const MAX_LENGTH: f64 = 100_000.0;
+impl Tool {
+    /// Whether all of its figures are in their ranges.
+    fn check(&self, speeds: (f64, f64), faults: &mut Faults) -> bool {
+        let n = self.number;
+        let feeds = (0.01, 10_000.0);
+        let before = faults.0.len();
+        faults.within("tool number", f64::from(n), (1.0, 99_999.0), FigureUnit::Plain);
+        faults.length(&format!("diameter of tool {n}"), self.diameter, 0.1, 200.0);
+        faults.length(&format!("flute length of tool {n}"), self.flute_length, 0.05, 1000.0);
+        faults.within(&format!("feed of tool {n}"), self.feed, feeds, FigureUnit::MetresPerMinute);
+        faults.within(&format!("plunge feed of tool {n}"), self.plunge, feeds, FigureUnit::MetresPerMinute);
+        faults.length(&format!("step-down of tool {n}"), self.max_step_down, 0.05, 1000.0);
+        let what = format!("spindle speed of tool {n}");
+        faults.within(&what, self.spindle, speeds, FigureUnit::RevolutionsPerMinute);
+        faults.0.len() == before
+    }
+}
 
 impl Machine {
     /// Checks every figure of `spec`.
     ///
     /// # Errors
-    /// The first figure that is out of range, a repeated tool number, or a cutter or engraver that is not there.
-    pub fn try_new(spec: MachineSpec) -> Result<Machine, MachineError> {
-        let length = |what: &str, value: f64, least: f64| within(what, value, least, MAX_LENGTH);
-        length("envelope x", spec.envelope.x, 1.0)?;
-        length("envelope y", spec.envelope.y, 1.0)?;
-        length("envelope z", spec.envelope.z, 1.0)?;
-        length("safe height", spec.safe_height, 1.0)?;
-        length("stock margin", spec.stock_margin, 0.0)?;
-        length("cut-through", spec.cut_through, 0.0)?;
-        length("engraving depth", spec.engrave_depth, 0.05)?;
-        within("spin-up time", spec.spin_up, 0.0, 600.0)?;
-        let (slow, fast) = spec.spindle_range;
-        within("least spindle speed", slow, 0.1, 10_000.0)?;
-        within("greatest spindle speed", fast, slow, 10_000.0)?;
-        for (i, tool) in spec.tools.iter().enumerate() {
-            check_tool(tool, spec.spindle_range)?;
-            if spec.tools[..i].iter().any(|other| other.number == tool.number) {
-                return Err(MachineError::RepeatedTool(tool.number));
-            }
+    /// All faults, as [`MachineSpec::faults`] gives them.
+    pub fn try_new(spec: MachineSpec) -> Result<Machine, MachineErrors> {
+        let faults = spec.faults();
+        match (spec.place_of(spec.cutter), spec.place_of(spec.engraver)) {
+            (Some(cutter), Some(engraver)) if faults.is_empty() => Ok(Machine { spec, cutter, engraver }),
+            _ => Err(MachineErrors(faults)),
         }
-        spec.fixing.check()?;
-        spec.clamps.iter().try_for_each(|clamp| clamp.check(spec.safe_height))?;
-        let find = |number: u32| {
-            spec.tools.iter().position(|t| t.number == number).ok_or(MachineError::MissingTool(number))
-        };
-        let (cutter, engraver) = (find(spec.cutter)?, find(spec.engraver)?);
-        within("finishing allowance", spec.allowance, 0.0, spec.tools[cutter].diameter / 2.0)?;
-        let tool = &spec.tools[engraver];
-        let deepest = tool.max_step_down.min(tool.flute_length);
-        within("engraving depth", spec.engrave_depth, 0.05, deepest)?;
-        Ok(Machine { spec, cutter, engraver })
     }
 
     /// All figures.
@@ -254,31 +277,4 @@ impl Machine {
     pub fn border(&self) -> f64 {
         self.spec.stock_margin + self.cutter().diameter + self.spec.allowance
     }
-
-    /// The same machine with its parts held otherwise.
-    ///
-    /// # Errors
-    /// Figures of the fixing that are out of range.
-    pub fn with_fixing(&self, fixing: Fixing) -> Result<Machine, MachineError> {
-        Machine::try_new(MachineSpec { fixing, ..self.spec.clone() })
-    }
-}
-
-fn check_tool(tool: &Tool, (slow, fast): (f64, f64)) -> Result<(), MachineError> {
-    let n = tool.number;
-    within(&format!("tool number {n}"), f64::from(n), 1.0, 99_999.0)?;
-    within(&format!("diameter of tool {n}"), tool.diameter, 0.1, 200.0)?;
-    within(&format!("flute length of tool {n}"), tool.flute_length, 0.05, 1000.0)?;
-    within(&format!("feed of tool {n} in mm/s"), tool.feed, 0.01, 10_000.0)?;
-    within(&format!("plunge feed of tool {n} in mm/s"), tool.plunge, 0.01, 10_000.0)?;
-    within(&format!("step-down of tool {n}"), tool.max_step_down, 0.05, 1000.0)?;
-    within(&format!("spindle speed of tool {n} in rev/s"), tool.spindle, slow, fast)
-}
-
-fn within(what: &str, value: f64, least: f64, greatest: f64) -> Result<(), MachineError> {
-    if value.is_finite() && (least..=greatest).contains(&value) {
-        return Ok(());
-    }
-    let range = format!("from {least} to {greatest}");
-    Err(MachineError::OutOfRange { what: what.to_owned(), value, range })
 }

@@ -18,6 +18,10 @@ pub use refusal::{PlankError, PlankRefusal};
 /// How far (mm) a point of a curve may lie off its plane for the curve to count as plane.
 pub const PLANE_TOLERANCE: f64 = 1e-3;
 
+/// The least length of a plank on its axis, mm. What is shorter is no plank, and so small a curve counts as straight within
+/// [`PLANE_TOLERANCE`], however much it turns.
+pub const LEAST_LENGTH: f64 = 1.0;
+
 /// The most an end cut may be away from a square one, rad: 80 degrees. Beyond, a plank of depth 120 mm runs out into a
 /// point of more than 680 mm.
 pub const MOST_END_ANGLE: f64 = 80.0 * std::f64::consts::PI / 180.0;

@@ -31,7 +31,7 @@ const NAMED: &[(&str, Dimension)] = &[
     ("Speed", Dimension::SPEED),
     ("Frequency", Dimension::FREQUENCY),
     ("Mass", Dimension::MASS),
-    ("Density", dimension(-3, 1, 0, 0)),
+    ("Density", Dimension::DENSITY),
 ];
 
 impl Dimension {
@@ -45,6 +45,8 @@ impl Dimension {
     pub const AREA: Dimension = dimension(2, 0, 0, 0);
     /// A mass.
     pub const MASS: Dimension = dimension(0, 1, 0, 0);
+    /// A mass by volume.
+    pub const DENSITY: Dimension = dimension(-3, 1, 0, 0);
     /// Length by time: a feed.
     pub const SPEED: Dimension = dimension(1, 0, -1, 0);
     /// Turns by time: a spindle's speed.
@@ -129,7 +131,7 @@ impl Dimension {
             Dimension::FREQUENCY => ("rpm", 1.0 / 60.0),
             Dimension { length: 2, mass: 0, time: 0, angle: 0 } => ("m2", 1e6),
             Dimension { length: 3, mass: 0, time: 0, angle: 0 } => ("m3", 1e9),
-            Dimension { length: -3, mass: 1, time: 0, angle: 0 } => ("kg/m3", 1e-9),
+            Dimension::DENSITY => ("kg/m3", 1e-9),
             Dimension { length: 0, mass: 1, time: 0, angle: 0 } => ("kg", 1.0),
             Dimension { length: 0, mass: 0, time: 1, angle: 0 } => ("s", 1.0),
             _ => ("", 1.0),

@@ -169,6 +169,17 @@ impl PointSpace {
         }
     }
 
+    /// Many things of this space in words, `points in space`; none where the space is not known.
+    pub fn things(self, what: &str) -> Option<String> {
+        match self {
+            PointSpace::Plane => Some(format!("{what}s of the plane")),
+            PointSpace::Space => Some(format!("{what}s in space")),
+            PointSpace::Control if what == "point" => Some("combinations of control points".to_owned()),
+            PointSpace::Control => Some(format!("{what}s between control points")),
+            PointSpace::Any => None,
+        }
+    }
+
     /// Where an ifs of this space lives, in words.
     pub fn words(self) -> &'static str {
         match self {

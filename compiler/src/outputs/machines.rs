@@ -3,7 +3,8 @@
 use crate::analysis::{field, number, text};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fabricate::machine::{
-    Clamp, CutDirection, Dialect, Fixing, Machine, MachineError, MachineSpec, Tool, WorkOffset, ZZero,
+    Clamp, CutDirection, Dialect, FigureUnit, Fixing, Machine, MachineError, MachineSpec, Tool, WorkOffset,
+    ZZero,
 };
 use crate::hir::tree::Hir;
 use crate::hir::value::Value;
@@ -23,13 +24,9 @@ pub(super) fn machines(
 ) -> Result<Vec<Machine>, Diagnostic> {
     let incomplete =
         || Diagnostic::new(Code::E0804, span, "this machine is not complete").label("a field is missing");
-    let refused = |error: MachineError| {
-        let message = format!("this machine cannot work: {error}");
-        Diagnostic::new(Code::E0804, span, message).label("this machine")
-    };
     let code = number(hir, machine, "work_offset").ok_or_else(incomplete)?;
-    let work_offset = work_offset(code).map_err(refused)?;
-    let spec = spec(hir, machine, work_offset).ok_or_else(incomplete)?;
+    let work_offset = WorkOffset::from_code(code.clamp(0.0, 255.0) as u8);
+    let spec = spec(hir, machine, work_offset.unwrap_or(WorkOffset::G54)).ok_or_else(incomplete)?;
     let own = read_fixing(hir, field(hir, machine, "fixing").ok_or_else(incomplete)?);
     let fixing_refused = |why: String, span: Span| {
         let message = format!("this cannot hold a board: {why}");
@@ -37,32 +34,44 @@ pub(super) fn machines(
         diagnostic.hint("write `tabs(count: 4)`, `onion_skin(0.4mm)` or `vacuum()`")
     };
     let own = own.map_err(|why| fixing_refused(why.to_owned(), span))?;
-    let spec = MachineSpec { fixing: own, ..spec };
-    let mut made = Machine::try_new(spec).map_err(refused)?;
-    if let Some((value, span)) = fixing {
-        let fixing = read_fixing(hir, value).map_err(|why| fixing_refused(why.to_owned(), span))?;
-        made = made.with_fixing(fixing).map_err(|error| fixing_refused(error.to_string(), span))?;
-    }
-    let mut out = vec![made];
+    let mut specs = vec![MachineSpec { fixing: own, ..spec }];
     if let Some(Value::List(spares)) = field(hir, machine, "spare_cutters") {
         for spare in spares.iter() {
             let spare = tool(hir, spare).ok_or_else(incomplete)?;
-            let number = spare.number;
-            let mut spec = out[0].spec().clone();
+            let mut spec = specs[0].clone();
+            spec.cutter = spare.number;
             spec.tools.push(spare);
-            spec.cutter = number;
-            out.push(Machine::try_new(spec).map_err(refused)?);
+            specs.push(spec);
         }
     }
-    Ok(out)
-}
-
-fn work_offset(code: f64) -> Result<WorkOffset, MachineError> {
-    WorkOffset::from_code(code.clamp(0.0, 255.0) as u8).ok_or_else(|| MachineError::OutOfRange {
+    let range = MachineError::OutOfRange {
         what: "work offset".to_owned(),
         value: code,
-        range: "from 54 to 59".to_owned(),
-    })
+        range: (54.0, 59.0),
+        unit: FigureUnit::Plain,
+    };
+    let of_tools = specs.iter().flat_map(MachineSpec::faults);
+    let mut faults: Vec<MachineError> = Vec::new();
+    for fault in work_offset.is_none().then_some(range).into_iter().chain(of_tools) {
+        // Those of the machine itself are those with each of its cutters.
+        if !faults.contains(&fault) {
+            faults.push(fault);
+        }
+    }
+    if let [first, others @ ..] = &faults[..] {
+        let message = format!("this machine cannot work: {first}");
+        let diagnostic = Diagnostic::new(Code::E0804, span, message).label("this machine");
+        return Err(others.iter().fold(diagnostic, |told, fault| told.note(fault.to_string())));
+    }
+    let fixing = match fixing {
+        Some((value, span)) => {
+            Some((read_fixing(hir, value).map_err(|why| fixing_refused(why.to_owned(), span))?, span))
+        }
+        None => None,
+    };
+    let (held, place) = fixing.unwrap_or((own, span));
+    let made = specs.into_iter().map(|spec| Machine::try_new(MachineSpec { fixing: held, ..spec }));
+    made.collect::<Result<Vec<Machine>, _>>().map_err(|faults| fixing_refused(faults.to_string(), place))
 }
 
 fn spec(hir: &Hir, value: &Value, work_offset: WorkOffset) -> Option<MachineSpec> {

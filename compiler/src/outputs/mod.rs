@@ -32,6 +32,7 @@ use crate::export::labels::Sheet;
 use crate::export::part::Part;
 use crate::export::planarity_csv::{Surface, planarity_csv};
 use crate::export::{cut_list, glb::GlbError};
+use crate::hir::tree::ItemKind;
 use crate::source::Span;
 use model::OwnedModel;
 use nests::Nests;
@@ -137,6 +138,26 @@ pub enum Making {
     Reports,
 }
 
+/// That there is nothing to build: no figure is declared, or each is a list without elements.
+fn no_figures(analysis: &Analysis) -> Diagnostic {
+    let figures = analysis
+        .hir
+        .items
+        .iter()
+        .filter(|item| item.name_span.file == analysis.root && matches!(item.kind, ItemKind::Figure(_)));
+    let mut empty = figures.map(|item| (&item.name, item.name_span));
+    let Some((name, span)) = empty.next() else {
+        let message = "there is nothing to build: the design has no figures";
+        let diagnostic = Diagnostic::new(Code::E0807, Span::new(analysis.root, 0, 0), message);
+        return diagnostic.hint("declare one: `figure line = … on (…) at level 3`");
+    };
+    let message = format!("there is nothing to build: `{name}` is an empty list of figures");
+    let diagnostic = Diagnostic::new(Code::E0807, span, message).label("has no elements");
+    let diagnostic = empty
+        .fold(diagnostic, |told, (name, span)| told.also(span, format!("`{name}` is an empty list too")));
+    diagnostic.hint("let the range it is made of have elements: `0..n` has n of them, and none where n is 0")
+}
+
 /// Makes the outputs of a design without errors.
 pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
     outputs_watched(analysis, selection, &mut |_| ())
@@ -146,10 +167,7 @@ pub fn outputs(analysis: &Analysis, selection: &Selection) -> Outputs {
 pub fn outputs_watched(analysis: &Analysis, selection: &Selection, watch: &mut dyn FnMut(Making)) -> Outputs {
     let mut files = Vec::new();
     if analysis.plan.as_ref().is_none_or(|lowered| lowered.plan.figures().is_empty()) {
-        let message = "there is nothing to build: the design has no figures";
-        let diagnostic = Diagnostic::new(Code::E0807, Span::new(analysis.root, 0, 0), message);
-        let diagnostic = diagnostic.hint("declare one: `figure line = … on (…) at level 3`");
-        return Outputs::failed(vec![diagnostic]);
+        return Outputs::failed(vec![no_figures(analysis)]);
     }
     if selection.makes(Format::Glb) {
         let content = Content::Model(Box::new(OwnedModel::of(analysis)));

@@ -141,6 +141,28 @@ fn a_text_that_is_no_value() {
         assert_eq!(found.code, Code::E0606, "{value}");
         assert!(found.hints.iter().any(|hint| hint.text.contains("--set span=")), "{:?}", found.hints);
     }
+    // An example is a value in the range; a number without a unit gets one that puts it there.
+    let text = b"param span: Length = 2m in 1m .. 4m\nparam lean: Angle = 15deg in 10deg .. 20deg\n\
+                 param count: Int = 7 in 5 .. 9\nparam share: Number = 1/3 in 1/3 .. 3/4\n\
+                 param wide: Bool = true\nlet half = span / 2\n";
+    for (name, value, example) in [
+        ("span", "3", "3m"),
+        ("span", "300", "300cm"),
+        ("span", "9", "2000mm"),
+        ("span", "3kg", "2000mm"),
+        ("lean", "12", "12deg"),
+        ("count", "3.5", "7"),
+        ("share", "many", "0.75"),
+        ("wide", "yes", "true"),
+    ] {
+        let analysis = analysed(text, &[(name, value)]);
+        let all = analysis.diagnostics.iter().filter(|found| found.code == Code::E0606);
+        let hints: Vec<&str> = all.flat_map(|found| &found.hints).map(|hint| hint.text.as_str()).collect();
+        assert_eq!(hints, [format!("write it like `--set {name}={example}`")], "{name}={value}");
+        let set = analysed(text, &[(name, example)]);
+        assert!(!set.diagnostics.iter().any(|found| matches!(found.code, Code::E0606 | Code::E0601)));
+    }
+    let text = b"param span: Length = 6m in 4m .. 9m\nlet half = span / 2\n";
     assert!(analysed(text, &[("span", "7m")]).diagnostics.is_empty());
     // What is set is not worked out, which is said.
     let analysis = analysed(text, &[("span", "6m+200mm")]);
@@ -268,6 +290,45 @@ fn a_sheet_that_the_machine_cannot_cut() {
 }
 
 #[test]
+fn every_fault_of_a_machine_is_told_once_in_the_units_it_is_written_in() {
+    let text = r#"
+        use std.curves (bezier2)
+        use std.materials (sawn_spruce)
+        use std.machines (Machine, Tool)
+        let cutter = Tool(
+            number: 1, name: "cutter", diameter: 6mm, flute: 40mm,
+            feed: 3m/min, plunge: 1000m/min, spindle: 200000rpm, step_down: 5mm,
+        )
+        let engraver = Tool(
+            number: 2, name: "engraver", diameter: 1mm, flute: 5mm,
+            feed: 1m/min, plunge: 0.5m/min, spindle: 16000rpm, step_down: 0.5mm,
+        )
+        let spare = Tool(
+            number: 3, name: "spare", diameter: 0mm, flute: 40mm,
+            feed: 3m/min, plunge: 1m/min, spindle: 16000rpm, step_down: 5mm,
+        )
+        let own = Machine(
+            name: "workshop", length: 2600mm, width: 1300mm, height: 150mm, work_offset: 60,
+            cutter: cutter, engraver: engraver, spare_cutters: [spare],
+        )
+        figure rail = bezier2 on ((0m, 0m), (0m, 1m), (1m, 1m)) at level 1
+        fabricate rail as planks { material: sawn_spruce section: 120mm by 27mm machine: own }
+    "#;
+    let analysis = analysed(text.as_bytes(), &[]);
+    assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
+    let made = outputs(&analysis, &Selection::all());
+    let [found] = &made.diagnostics[..] else { panic!("{:?}", made.diagnostics) };
+    assert_eq!(found.code, Code::E0804);
+    assert_eq!(found.message, "this machine cannot work: work offset is 60, must be from 54 to 59");
+    let others = [
+        "plunge feed of tool 1 is 1000m/min, must be from 0.0006m/min to 600m/min",
+        "spindle speed of tool 1 is 200000rpm, must be from 1000rpm to 24000rpm",
+        "diameter of tool 3 is 0mm, must be from 0.1mm to 200mm",
+    ];
+    assert_eq!(found.notes, others);
+}
+
+#[test]
 fn a_design_without_figures_is_not_built() {
     for text in ["", "// nothing yet\n", "let width = 27mm\n"] {
         let analysis = analysed(text.as_bytes(), &[]);
@@ -277,6 +338,22 @@ fn a_design_without_figures_is_not_built() {
         let codes: Vec<Code> = made.diagnostics.iter().map(|found| found.code).collect();
         assert_eq!(codes, [Code::E0807]);
     }
+}
+
+#[test]
+fn a_design_whose_figures_are_empty_lists_is_told_so() {
+    let text = "use std.curves (line)\n\
+                param n: Int = 0 in 0 .. 4\n\
+                figure u = [line on ((0m, 0m), (1m, i * 1m)) at level 1 for i in 0..n]\n\
+                figure v = [line on ((0m, 0m), (1m, i * 1m)) at level 1 for i in 0..n]\n";
+    let analysis = analysed(text.as_bytes(), &[]);
+    assert!(analysis.diagnostics.is_empty(), "{:?}", said("", &analysis));
+    let made = outputs(&analysis, &Selection::all());
+    let [found] = &made.diagnostics[..] else { panic!("{:?}", made.diagnostics) };
+    assert_eq!(found.code, Code::E0807);
+    assert_eq!(found.message, "there is nothing to build: `u` is an empty list of figures");
+    assert_eq!(&text[found.span.range()], "u");
+    assert_eq!(found.labels.len(), 1, "{found:?}");
 }
 
 /// What is wrong in a design, each with its place.

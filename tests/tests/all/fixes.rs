@@ -167,6 +167,7 @@ const ROWS: &[Row] = &[
     row("E0102", "let a = 3;\n", "remove `;`", ";", ""),
     row("E0103", "param wood: Text = \"spruce\n", "insert `\"`", "spruce", "spruce\""),
     row("E0105", "let a = 12mn\n", "replace `mn` with `mm`", "mn", "mm"),
+    row("E0408", "let v = 2m/min(3, 4)\n", "replace `2m/min` with `2m / min`", "2m/min", "2m / min"),
     row("E0201", "let in = 3\n", "call it `in_`: `in` is a word of the language", "in =", "in_ ="),
     row(
         "E0201",
@@ -186,6 +187,13 @@ const ROWS: &[Row] = &[
         "let wide = 3m\nlet b = wide + wide",
     ),
     row("E0301", "let width = 3\nlet b = widht + 1\n", "replace `widht` with `width`", "widht", "width"),
+    row(
+        "E0301",
+        "ifs a on (p) {\n    transform t = slef on (p)\n    germ point(p)\n}\n",
+        "replace `slef` with `self`",
+        "slef",
+        "self",
+    ),
     row(
         "E0302",
         "let width = 3\nlet width = 4\n",

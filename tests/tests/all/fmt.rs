@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use ifs_tests::outcome::{Outcome, run, run_with};
 use ifs_tests::{program, root, scratch};
+use serde_json::Value;
 
 const UGLY: &str = "let a=1\nlet bc=[a ,2]\n";
 const NEAT: &str = "let a  = 1\nlet bc = [a, 2]\n";
@@ -122,6 +123,29 @@ fn broken_files_are_left_alone_and_others_are_not() {
     let short = place.fmt(&["--message-format", "short", "a.ifs"]);
     assert_eq!(short.stderr.lines().count(), 2, "{}", short.stderr);
     place.holds(&["a.ifs", "b.ifs", "c.ifs"]);
+}
+
+/// The standard output carries texts: what is said as JSON stands beside them.
+#[test]
+fn json_for_programs_goes_to_the_standard_error() {
+    let place = Place::new("json");
+    place.write("a.ifs", UGLY);
+    place.write("b.ifs", "let  a = (1\n");
+    let json = |done: &Outcome| -> Vec<Value> {
+        done.stderr.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+    };
+    let done = place.stdin(&["-", "--message-format", "json"], b"let a = 3;");
+    assert_eq!((done.code, done.stdout.as_str()), (Some(1), ""));
+    assert!(json(&done).iter().all(|found| found["code"].as_str().unwrap().starts_with('E')), "{done:?}");
+    let checked = place.fmt(&["--check", "--message-format", "json", "a.ifs", "b.ifs"]);
+    assert_eq!((checked.code, checked.stdout.as_str()), (Some(1), ""));
+    let said = json(&checked);
+    assert_eq!(said[0], serde_json::json!({ "file": "a.ifs", "verdict": "not formatted" }));
+    assert_eq!((said[1]["code"].as_str(), said.len()), (Some("E0202"), 2));
+    let made = place.fmt(&["--message-format", "json", "a.ifs"]);
+    assert_eq!((made.code, made.stdout.as_str()), (Some(0), ""));
+    assert_eq!(json(&made), [serde_json::json!({ "file": "a.ifs", "verdict": "formatted" })]);
+    assert_eq!(place.read("a.ifs"), NEAT);
 }
 
 /// What a file names is not looked for, and what is wrong beyond its form is no matter here.

@@ -97,6 +97,10 @@ fn parameters_are_listed() {
     params(&["--set", "span=10m"]).failed_with_data(1, "E0601");
     fs::write(folder.join("b.ifs"), "param a: Length = 1m in 2m .. 1m\n").unwrap();
     run(program().arg("params").arg(folder.join("b.ifs"))).failed_with_data(1, "E0607");
+    let json = params(&["--json", "--set", "span=500m", "--message-format", "json"]);
+    assert!(serde_json::from_str::<Value>(&json.stdout).unwrap().is_array(), "{json:?}");
+    let said: Vec<Value> = json.stderr.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!((said.len(), &said[0]["code"]), (1, &Value::from("E0601")), "{json:?}");
     fs::write(folder.join("c.ifs"), "let a = 1\n").unwrap();
     assert_eq!(
         run(program().arg("params").arg(folder.join("c.ifs"))).good(),

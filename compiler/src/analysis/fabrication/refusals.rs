@@ -47,7 +47,7 @@ impl Work<'_> {
                 "use a smaller gap, or a lower level; a plane is to cross the first or the last plank",
                 nothing_left,
             ),
-            (figure, "move the control points apart, or use a lower level", no_length),
+            (figure, "move the control points apart, or use a lower level", too_short),
         ] {
             let group = refused.iter().filter(|refusal| is_meant(&refusal.reason));
             let named: Vec<(&Label, String)> =
@@ -83,6 +83,6 @@ fn nothing_left(reason: &PlankRefusal) -> bool {
     matches!(reason, PlankRefusal::NothingLeft { .. })
 }
 
-fn no_length(reason: &PlankRefusal) -> bool {
-    matches!(reason, PlankRefusal::NoLength)
+fn too_short(reason: &PlankRefusal) -> bool {
+    matches!(reason, PlankRefusal::TooShort { .. })
 }

@@ -1,6 +1,7 @@
 //! What holds a part while its contour is cut, and where clamps stand. Plain data with its own checks.
 
-use super::{MachineError, within};
+use super::MAX_LENGTH;
+use super::faults::{Faults, FigureUnit};
 
 /// Most tabs a contour may have.
 const MOST_TABS: u32 = 100;
@@ -27,15 +28,18 @@ pub enum Fixing {
 }
 
 impl Fixing {
-    pub(super) fn check(self) -> Result<(), MachineError> {
+    pub(super) fn check(self, faults: &mut Faults) {
         match self {
-            Fixing::Held => Ok(()),
+            Fixing::Held => {}
             Fixing::Tabs { count, width, height } => {
-                within("count of tabs", f64::from(count), 1.0, f64::from(MOST_TABS))?;
-                within("width of tabs", width, 0.1, 1000.0)?;
-                within("height of tabs", height, 0.1, 1000.0)
+                let range = (1.0, f64::from(MOST_TABS));
+                faults.within("count of tabs", f64::from(count), range, FigureUnit::Plain);
+                faults.length("width of tabs", width, 0.1, 1000.0);
+                faults.length("height of tabs", height, 0.1, 1000.0);
             }
-            Fixing::OnionSkin { thickness } => within("onion skin", thickness, 0.05, 1000.0),
+            Fixing::OnionSkin { thickness } => {
+                faults.length("onion skin", thickness, 0.05, 1000.0);
+            }
         }
     }
 }
@@ -52,14 +56,14 @@ pub struct Clamp {
 }
 
 impl Clamp {
-    pub(super) fn check(&self, safe_height: f64) -> Result<(), MachineError> {
+    pub(super) fn check(&self, safe_height: f64, faults: &mut Faults) {
         for (what, low, high) in
             [("length of a clamp", self.low.x, self.high.x), ("width of a clamp", self.low.y, self.high.y)]
         {
-            within("place of a clamp", low, -super::MAX_LENGTH, super::MAX_LENGTH)?;
-            within(what, high - low, 0.1, super::MAX_LENGTH)?;
+            faults.length("place of a clamp", low, -MAX_LENGTH, MAX_LENGTH);
+            faults.length(what, high - low, 0.1, MAX_LENGTH);
         }
         // Below the safe height by something, so that travel at it is free.
-        within("height of a clamp", self.height, 0.0, safe_height - 1.0)
+        faults.length("height of a clamp", self.height, 0.0, safe_height - 1.0);
     }
 }

@@ -61,7 +61,7 @@ fn a_sound_machine_is_built_and_knows_its_heights() {
 fn each_bad_figure_is_named() {
     type Spoil = fn(&mut MachineSpec);
     let cases: [(Spoil, &str); 12] = [
-        (|m| m.envelope.y = f64::NAN, "envelope y"),
+        (|m| m.envelope.y = f64::NAN, "width (along Y)"),
         (|m| m.safe_height = 0.0, "safe height"),
         (|m| m.stock_margin = -1.0, "stock margin"),
         (|m| m.cut_through = f64::INFINITY, "cut-through"),
@@ -79,6 +79,41 @@ fn each_bad_figure_is_named() {
         spoil(&mut spec);
         let message = Machine::try_new(spec).unwrap_err().to_string();
         assert!(message.contains(words), "{message} does not say {words}");
+    }
+}
+
+#[test]
+fn every_fault_is_told_in_the_units_that_people_write() {
+    let mut spec = router();
+    spec.tools[0].spindle = 200_000.0 / 60.0;
+    spec.tools[0].feed = 700_000.0 / 60.0;
+    spec.tools[1].diameter = 0.0;
+    spec.spin_up = -1.5;
+    let words = [
+        "spin-up time is -1.5s, must be from 0s to 600s",
+        "feed of tool 1 is 700m/min, must be from 0.0006m/min to 600m/min",
+        "spindle speed of tool 1 is 200000rpm, must be from 6000rpm to 24000rpm",
+        "diameter of tool 2 is 0mm, must be from 0.1mm to 200mm",
+    ];
+    assert_eq!(Machine::try_new(spec).unwrap_err().to_string(), words.join("; "));
+}
+
+#[test]
+fn what_depends_on_a_wrong_figure_is_left_aside() {
+    type Spoil = fn(&mut MachineSpec);
+    let cases: [Spoil; 4] = [
+        |m| m.spindle_range = (400.0, 100.0),
+        |m| (m.tools[1].max_step_down, m.engrave_depth) = (0.01, 0.3),
+        |m| (m.tools[0].diameter, m.allowance) = (0.0, 0.5),
+        |m| {
+            m.safe_height = 0.5;
+            m.clamps = vec![Clamp { low: glam::DVec2::ZERO, high: glam::DVec2::splat(9.0), height: 10.0 }];
+        },
+    ];
+    for spoil in cases {
+        let mut spec = router();
+        spoil(&mut spec);
+        assert_eq!(spec.faults().len(), 1, "{:?}", spec.faults());
     }
 }
 

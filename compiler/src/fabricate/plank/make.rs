@@ -4,7 +4,8 @@ use glam::{DVec2, DVec3};
 
 use super::end::{EndCut, Frame};
 use super::{
-    CutPlane, Ends, PLANE_TOLERANCE, Plank, PlankError, PlankRefusal, PlankSettings, Planks, RefusedPlank,
+    CutPlane, Ends, LEAST_LENGTH, PLANE_TOLERANCE, Plank, PlankError, PlankRefusal, PlankSettings, Planks,
+    RefusedPlank,
 };
 use crate::fabricate::assembly::{Element, order};
 use crate::fabricate::fit;
@@ -140,7 +141,10 @@ fn plank(
     settings: &PlankSettings,
 ) -> Result<Plank, PlankRefusal> {
     let segment = axis[1] - axis[0];
-    let Some(along) = segment.try_normalize() else { return Err(PlankRefusal::NoLength) };
+    let axis_length = segment.length();
+    let Some(along) = segment.try_normalize().filter(|_| axis_length >= LEAST_LENGTH) else {
+        return Err(PlankRefusal::TooShort { length: axis_length });
+    };
     let frame = Frame { along, left: plane_normal.cross(along).normalize_or_zero(), up: plane_normal };
     let cut = |turn: Option<f64>, plane: &Option<CutPlane>, position: f64, outwards: f64| match (turn, plane)
     {
@@ -149,10 +153,10 @@ fn plank(
         (None, None) => EndCut::at_joint(position, 0.0),
     };
     let start = cut(turns[0], &settings.first, 0.0, -1.0)?;
-    let end = cut(turns[1], &settings.last, segment.length(), 1.0)?;
+    let end = cut(turns[1], &settings.last, axis_length, 1.0)?;
     let cuts = [start, end];
     let length = end.position - start.position;
-    if length <= 0.0 {
+    if length < LEAST_LENGTH {
         return Err(PlankRefusal::NothingLeft { length });
     }
     let (half_depth, half_width) = (settings.depth / 2.0, settings.width / 2.0);

@@ -2,16 +2,19 @@
 
 use std::fmt;
 
-use super::MOST_END_ANGLE;
+use super::{LEAST_LENGTH, MOST_END_ANGLE};
 
 /// Why no plank can be made for a segment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlankRefusal {
-    /// The segment has no length.
-    NoLength,
-    /// The gaps, or the planes it is cut to, leave nothing of its axis. mm.
+    /// The segment is shorter than [`LEAST_LENGTH`]. mm.
+    TooShort {
+        /// Its length.
+        length: f64,
+    },
+    /// The gaps, or the planes it is cut to, leave less than [`LEAST_LENGTH`] of its axis. mm.
     NothingLeft {
-        /// The length the axis would have, 0 or less.
+        /// The length the axis would have; below 0 where the cuts pass each other.
         length: f64,
     },
     /// Its two end cuts meet within the section: one of its edges would have no length. mm.
@@ -36,7 +39,19 @@ pub enum PlankRefusal {
 impl fmt::Display for PlankRefusal {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoLength => out.write_str("its segment of the curve has no length"),
+            Self::TooShort { length: 0.0 } => out.write_str("its segment of the curve has no length"),
+            Self::TooShort { length } => write!(
+                out,
+                "its segment of the curve is {}, and a plank is at least {LEAST_LENGTH}mm long",
+                match *length {
+                    length if length < 0.0005 => "shorter than 0.001mm".to_owned(),
+                    length => format!("{length:.3}mm long"),
+                }
+            ),
+            Self::NothingLeft { length } if *length > 0.0 => write!(
+                out,
+                "its end cuts leave too little of it: its axis would be {length:.3}mm long, and {LEAST_LENGTH}mm is the least"
+            ),
             Self::NothingLeft { length } => {
                 write!(out, "its end cuts leave nothing of it: its axis would be {length:.1}mm long")
             }

@@ -112,7 +112,7 @@ fn what_cannot_be_a_plank() {
     assert_eq!(make(&back, &settings(Ends::Mitred)).refused.len(), 2, "no bisector to cut along");
     let double = [DVec3::ZERO, DVec3::X * 500.0, DVec3::X * 500.0];
     let made = make(&double, &settings(Ends::Mitred));
-    assert_eq!((made.planks.len(), made.refused[0].reason), (1, PlankRefusal::NoLength));
+    assert_eq!((made.planks.len(), made.refused[0].reason), (1, PlankRefusal::TooShort { length: 0.0 }));
     let made = make(&knee(), &PlankSettings { stock: 620.0, ..settings(Ends::Mitred) });
     assert_eq!(made.refused[1].reason.to_string(), "it takes 624.9mm of a bar of 620mm");
     assert_eq!(made.refused[1].label.address, "rib.1");

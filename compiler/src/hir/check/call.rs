@@ -20,6 +20,7 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         let ast::ExprKind::Name(name) = &callee.kind else {
+            let written = callee;
             let callee = self.expr(frame, callee, None);
             if callee.ty == Type::Error {
                 return error_expr(span);
@@ -30,6 +31,10 @@ impl Checker<'_> {
                 let diagnostic =
                     Diagnostic::new(Code::E0408, callee.span, message).label("a comma is missing after this");
                 self.report(diagnostic.fix("put a comma between the two", after, ","));
+                return error_expr(span);
+            }
+            if let Some(diagnostic) = divided_by_call(written) {
+                self.report(diagnostic);
                 return error_expr(span);
             }
             let message = format!("{} cannot be called", self.described(&callee.ty));
@@ -277,4 +282,15 @@ impl Checker<'_> {
         };
         Expr { kind: ExprKind::Coordinate(Box::new(base), index), ty: Type::LENGTH, span }
     }
+}
+
+/// `2m/min(…)`: a unit, where it was meant to divide by what a function gives.
+fn divided_by_call(callee: &ast::Expr) -> Option<Diagnostic> {
+    let ast::ExprKind::Number { digits, unit: Some(unit) } = &callee.kind else { return None };
+    let (over, under) = unit.suffix().split_once('/')?;
+    let message = format!("`{digits}{}` is a number with a unit, and no function", unit.suffix());
+    let diagnostic = Diagnostic::new(Code::E0408, callee.span, message).label("not a function");
+    let quotient = format!("{digits}{over} / {under}");
+    let hint = format!("to divide by what `{under}(…)` gives, write `{quotient}(…)`");
+    Some(diagnostic.fix(hint, callee.span, quotient))
 }

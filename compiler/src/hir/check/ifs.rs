@@ -122,17 +122,16 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn count_images(&mut self, typed: &Ifs, target: &Expr, given: usize, at: Span) {
+    /// Whether a transform gives an image of each control point, as far as that is known without arguments; where it does not,
+    /// that has been said.
+    pub(super) fn count_images(&mut self, typed: &Ifs, target: &Expr, given: usize, at: Span) -> bool {
         let (needed, name) = match &target.kind {
             ExprKind::SelfIfs(_) => (typed.fixed_points(), "self".to_owned()),
             ExprKind::Ifs(id, _) => (self.fixed_points(*id), self.items[id.0 as usize].name.clone()),
-            _ => return,
+            _ => return true,
         };
         // How many points a list of them has is known only with its arguments.
-        let Some(needed) = needed else { return };
-        if needed == given {
-            return;
-        }
+        let Some(needed) = needed.filter(|needed| *needed != given) else { return true };
         let message = format!("`{name}` has {needed} control points, but the transform lists {given}");
         let label = if given == 1 { "one point".to_owned() } else { format!("{given} points") };
         let diagnostic = Diagnostic::new(Code::E0503, at, message).label(label);
@@ -143,6 +142,7 @@ impl Checker<'_> {
             None => format!("{} are too many", given - needed),
         };
         self.report(diagnostic.hint(hint));
+        false
     }
 
     /// How many control points an ifs is declared on, where that does not depend on its arguments.

@@ -111,6 +111,7 @@ impl Checker<'_> {
             return None;
         }
         let mut known: Vec<&str> = frame.locals.iter().map(|local| local.name.as_str()).collect();
+        known.extend(frame.own_ifs.map(|_| "self"));
         known.extend(scope.own.keys().copied());
         known.extend(scope.imports.keys().copied());
         let library = self.modules.iter().filter(|other| other.is_library());

@@ -37,7 +37,9 @@ impl Checker<'_> {
         stacker::maybe_grow(128 * 1024, 1024 * 1024, || match &value.kind {
             ast::ExprKind::Error => None,
             ast::ExprKind::Group(inner) => self.image(frame, typed, inner),
-            ast::ExprKind::On(target, placement) => self.image_on_points(frame, typed, (target, placement)),
+            ast::ExprKind::On(target, placement) => {
+                self.image_on_points(frame, typed, value.span, (target, placement))
+            }
             ast::ExprKind::If(condition, yes, no) => {
                 let condition = self.expect(frame, condition, &Type::Bool);
                 let (yes, no) = (self.image(frame, typed, yes), self.image(frame, typed, no));
@@ -55,6 +57,7 @@ impl Checker<'_> {
         &mut self,
         frame: &mut Frame,
         typed: &Ifs,
+        span: Span,
         (target, placement): (&ast::Expr, &ast::Placement),
     ) -> Option<Image> {
         let target = self.expect(frame, target, &Type::Ifs);
@@ -74,8 +77,9 @@ impl Checker<'_> {
             }
         };
         let points: Vec<Expr> = points.iter().map(|point| self.expect(frame, point, &image)).collect();
-        if points.iter().all(|point| point.ty != Type::Error) {
-            self.count_images(typed, &target, points.len(), *points_span);
+        let typed_points = points.iter().all(|point| point.ty != Type::Error);
+        if typed_points && !self.count_images(typed, &target, points.len(), *points_span) {
+            return Some(Image::Mapped(error_expr(span)));
         }
         Some(Image::Points { target, points, span: *points_span })
     }

@@ -67,7 +67,15 @@ impl Checker<'_> {
             Type::Point(space) => space.thing("point"),
             Type::Vector(space) => space.thing("vector"),
             Type::Map(space) => space.thing("map"),
-            Type::List(element) => format!("a list of {}", self.type_name(element)),
+            Type::WeightedSum(space) => match space.things("point") {
+                Some(points) => format!("a weighted sum of {points}"),
+                None => "a weighted sum of points".to_owned(),
+            },
+            Type::Weighted(space) => space.thing("weighted point"),
+            Type::List(element) => {
+                let elements = things_of_space(element);
+                format!("a list of {}", elements.unwrap_or_else(|| self.type_name(element)))
+            }
             Type::Choice(_) => format!("one of {}", self.type_name(ty)),
             Type::Settings(_) => self.type_name(ty),
             _ => {
@@ -102,5 +110,19 @@ impl Checker<'_> {
             }
             _ => false,
         }
+    }
+}
+
+/// Values of a type that has a space which is known, in words: `points in space`. By their names alone points of the plane and
+/// of space are the same.
+fn things_of_space(ty: &Type) -> Option<String> {
+    match ty {
+        Type::Point(space) => space.things("point"),
+        Type::Vector(space) => space.things("vector"),
+        Type::Map(space) => space.things("map"),
+        Type::Weighted(space) => space.things("weighted point"),
+        Type::WeightedSum(space) => space.things("point").map(|points| format!("weighted sums of {points}")),
+        Type::List(element) => things_of_space(element).map(|elements| format!("lists of {elements}")),
+        _ => None,
     }
 }

@@ -5,7 +5,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::scalar::Scalar;
 use crate::source::Span;
 
-/// The most elements one list may have.
+/// The most elements one list, and the most bytes one text, may have.
 pub const MOST_ELEMENTS: usize = 1_000_000;
 
 /// How deeply calls and expressions may be nested while they are worked out.
@@ -18,6 +18,7 @@ const MANY_OPEN: usize = 500;
 pub(super) struct Budget {
     steps: u64,
     depth: u32,
+    calls: u32,
     exhausted: bool,
     symbolic: Option<u64>,
 }
@@ -102,15 +103,17 @@ impl Evaluator<'_> {
         }
         if !self.budget.exhausted {
             self.budget.exhausted = true;
-            let (message, at, hint) = if self.open.len() > MANY_OPEN {
+            let (open, calls) = (self.open.len(), self.budget.calls);
+            let waiting = format!("more than {DEEPEST} expressions wait for each other");
+            let (message, at, hint) = if open > MANY_OPEN {
                 (
-                    format!("values that wait for each other are nested more than {DEEPEST} deep"),
+                    format!("values are nested too deeply: {waiting}, in {open} values"),
                     span,
                     "write each value before those that are made of it: then none has to wait",
                 )
             } else {
                 (
-                    format!("calls are nested more than {DEEPEST} deep"),
+                    format!("calls are nested too deeply: {waiting}, in {calls} calls"),
                     self.calls.last().map_or(span, |call| call.span),
                     "a function that calls itself needs an end: `if n <= 0 then … else …`",
                 )
@@ -123,6 +126,25 @@ impl Evaluator<'_> {
 
     pub(super) fn leave(&mut self) {
         self.budget.depth = self.budget.depth.saturating_sub(1);
+    }
+
+    /// Enters a call, or a default of what is called; pair it with [`Evaluator::leave_call`].
+    pub(super) fn enter_call(&mut self) {
+        self.budget.calls += 1;
+    }
+
+    pub(super) fn leave_call(&mut self) {
+        self.budget.calls = self.budget.calls.saturating_sub(1);
+    }
+
+    /// Refuses a text that is too long.
+    pub(super) fn text_length(&mut self, bytes: usize, span: Span) -> Outcome<()> {
+        if bytes <= MOST_ELEMENTS {
+            return Ok(());
+        }
+        let message = format!("this text would be {bytes} bytes long; the limit is {MOST_ELEMENTS}");
+        let diagnostic = Diagnostic::new(Code::E0704, span, message).label("too long");
+        Err(self.report(diagnostic.hint("put fewer texts together, or shorter ones")))
     }
 
     /// Refuses a list that is too long.

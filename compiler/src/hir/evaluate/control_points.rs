@@ -1,21 +1,28 @@
 //! How many control points an ifs has with its arguments, and their names.
 
-use super::{Evaluator, Outcome, Stop, instance_name};
+use super::{Call, Evaluator, Outcome, Stop, instance_name};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::tree::{Ifs, ItemKind};
 use crate::hir::value::Instance;
+use crate::source::Span;
 
 /// The most control points an ifs may have.
 const MOST_POINTS: usize = 256;
 
 impl Evaluator<'_> {
-    /// The control points of an ifs with its arguments.
-    pub(super) fn control_points(&mut self, instance: &Instance) -> Outcome<usize> {
+    /// The control points of an ifs with its arguments, which is used at a place.
+    pub(super) fn control_points(&mut self, instance: &Instance, used_at: Span) -> Outcome<usize> {
         let hir = self.hir;
         let ItemKind::Ifs(ifs) = &hir.item(instance.ifs).kind else { return Err(Stop::Reported) };
         match ifs.fixed_points() {
             Some(count) => Ok(count),
-            None => Ok(self.point_counts(instance, ifs)?.iter().map(|count| count.unwrap_or(1)).sum()),
+            None => {
+                // What cannot be counted is the matter of whoever gave the arguments.
+                self.calls.push(Call { span: used_at, of: instance.ifs });
+                let counts = self.point_counts(instance, ifs);
+                self.calls.pop();
+                Ok(counts?.iter().map(|count| count.unwrap_or(1)).sum())
+            }
         }
     }
 

@@ -142,7 +142,12 @@ impl Evaluator<'_> {
             _ => &[],
         };
         match fields.get(index).and_then(|field| field.default.as_ref()) {
-            Some(default) => self.body(default),
+            Some(default) => {
+                self.enter_call();
+                let outcome = self.body(default);
+                self.leave_call();
+                outcome
+            }
             None => Err(Stop::Reported),
         }
     }
@@ -156,7 +161,9 @@ impl Evaluator<'_> {
             *slot = Ok(argument);
         }
         self.calls.push(Call { span, of: id });
+        self.enter_call();
         let outcome = self.expr(&mut inner, &function.body.value);
+        self.leave_call();
         self.calls.pop();
         outcome
     }

@@ -100,12 +100,12 @@ pub struct MustJoin {
     pub why: String,
 }
 
-/// A call of a function that is being worked out.
+/// A call of a function, or a use of an ifs, that is being worked out.
 #[derive(Clone, Copy)]
 struct Call {
     /// Where it stands.
     span: Span,
-    /// The function.
+    /// The function or the ifs.
     of: ItemId,
 }
 
@@ -260,7 +260,8 @@ impl<'a> Evaluator<'a> {
                 None => diagnostic,
             };
         } else if let Some(call) = self.calls.iter().rev().find(|call| call.span != diagnostic.span) {
-            diagnostic = diagnostic.also(call.span, "called here");
+            let is_ifs = matches!(self.hir.item(call.of).kind, ItemKind::Ifs(_));
+            diagnostic = diagnostic.also(call.span, if is_ifs { "used here" } else { "called here" });
         }
         if let Some(within) = &self.within {
             diagnostic = diagnostic.note(format!("in {within}"));

@@ -52,7 +52,7 @@ impl Evaluator<'_> {
             }
             (Value::Text(a), Value::Text(b)) => {
                 self.spend((a.len() + b.len()) as u64 / 64, span)?;
-                self.length(a.len() + b.len(), span)?;
+                self.text_length(a.len() + b.len(), span)?;
                 Ok(Value::Text([a.as_ref(), b.as_ref()].concat().into()))
             }
             (Value::Map(map), thing) => self.mapped(map, (right_expr, thing), span),

@@ -148,14 +148,11 @@ impl Evaluator<'_> {
             (None, None) => self.body(&param.default)?,
             (None, Some(text)) => read_value(text, &param.ty).map_err(|_| {
                 let message = format!("`{text}` is no value for the parameter `{name}`");
-                let unit = param.ty.dimension().map_or("", |dimension| dimension.display_unit().0);
-                let example = match &param.ty {
-                    Type::Bool => "true".to_owned(),
-                    Type::Int => "3".to_owned(),
-                    _ => format!("1.5{unit}"),
-                };
                 let diagnostic = Diagnostic::new(Code::E0606, name_span, message).label("declared here");
-                let diagnostic = diagnostic.hint(format!("write it like `--set {name}={example}`"));
+                let diagnostic = match self.example(param, text) {
+                    Some(example) => diagnostic.hint(format!("write it like `--set {name}={example}`")),
+                    None => diagnostic,
+                };
                 let worked_out = ['+', '*', '/', '('].iter().any(|sign| text.contains(*sign));
                 let diagnostic = match worked_out {
                     true => diagnostic.note("what is set is one value and not worked out: add it up first"),
@@ -166,6 +163,35 @@ impl Evaluator<'_> {
         };
         self.in_range(&name, name_span, param, &value, set.map(|_| default))?;
         Ok(value)
+    }
+
+    /// A text that is a value of a parameter and in its range: what was given with a unit, or else the default or an end of
+    /// the range.
+    fn example(&mut self, param: &Param, given: &str) -> Option<String> {
+        let range = match &param.range {
+            Some((from, to)) => Some([self.body(from).ok()?, self.body(to).ok()?]),
+            None => None,
+        };
+        let dimension = param.ty.dimension();
+        let metric = Unit::ALL.iter().filter(|unit| !matches!(unit, Unit::Inch | Unit::Foot));
+        let units = metric.filter(|unit| Some(unit_worth(**unit).0) == dimension);
+        let with_unit = units.map(|unit| format!("{}{}", given.trim(), unit.suffix()));
+        let default = self.body(&param.default).ok();
+        let values = default.iter().chain(range.iter().flatten());
+        let in_words = values.filter_map(|value| match value {
+            Value::Bool(truth) => Some(truth.to_string()),
+            value => value.scalar().map(|scalar| super::words(scalar, &param.ty)),
+        });
+        let is_inside = |text: &String| {
+            let Ok(value) = read_value(text, &param.ty) else { return false };
+            let (Some(value), Some([least, most])) = (value.scalar(), &range) else { return true };
+            let ends = (least.scalar(), most.scalar());
+            let (Some(least), Some(most)) = ends else { return true };
+            [(least, value), (value, most)]
+                .iter()
+                .all(|(a, b)| a.compare(b).is_ok_and(std::cmp::Ordering::is_le))
+        };
+        with_unit.chain(in_words).find(is_inside)
     }
 
     /// A range is stepped through upwards, so its step is above 0.

@@ -22,8 +22,8 @@ impl Evaluator<'_> {
         let points = self.expr(frame, points)?;
         let Value::Ifs(ifs_value) = ifs_value else { return Err(Stop::Reported) };
         let shape = match ifs_value.as_ref() {
-            IfsValue::Instance(instance) => self.curve(instance, &points, at)?,
-            IfsValue::Tensor(u, v) => self.patch(u, v, &points, at)?,
+            IfsValue::Instance(instance) => self.curve((instance, ifs.span), &points, at)?,
+            IfsValue::Tensor(u, v) => self.patch([u, v], ifs.span, &points, at)?,
             IfsValue::Mapped(_, instance) => return Err(self.no_points(instance, at)),
         };
         Ok(Value::Figure(Arc::new(Figure { shape, level: None, span })))
@@ -36,12 +36,12 @@ impl Evaluator<'_> {
         self.report(diagnostic.hint("it is placed by a map: `translate(…) * name at level 4`"))
     }
 
-    fn curve(&mut self, instance: &Instance, points: &Value, at: Span) -> Outcome<Shape> {
+    fn curve(&mut self, (instance, ifs_at): (&Instance, Span), points: &Value, at: Span) -> Outcome<Shape> {
         if self.instance_space(instance) != PointSpace::Control {
             return Err(self.no_points(instance, at));
         }
         let list = points.list().ok_or(Stop::Reported)?;
-        let needed = self.control_points(instance)?;
+        let needed = self.control_points(instance, ifs_at)?;
         if list.first().is_some_and(|first| first.list().is_some()) {
             let message = "a curve is placed on a list of control points, not on a grid";
             let diagnostic = Diagnostic::new(Code::E0510, at, message).label("a grid");
@@ -71,10 +71,10 @@ impl Evaluator<'_> {
         Ok(Shape::Chain(Box::new(chain)))
     }
 
-    fn patch(&mut self, u: &Instance, v: &Instance, points: &Value, at: Span) -> Outcome<Shape> {
+    fn patch(&mut self, [u, v]: [&Instance; 2], ifs_at: Span, points: &Value, at: Span) -> Outcome<Shape> {
         let grid = self.net(points, at)?;
         let (rows, columns) = (grid.rows, grid.columns);
-        let needed = (self.control_points(u)?, self.control_points(v)?);
+        let needed = (self.control_points(u, ifs_at)?, self.control_points(v, ifs_at)?);
         if (rows, columns) != needed {
             let message = format!(
                 "this product is placed on a grid of {} by {} control points, but the grid is {rows} by {columns}",
@@ -102,7 +102,7 @@ impl Evaluator<'_> {
         };
         let grid = self.net(net, at)?;
         let (rows, columns) = (grid.rows, grid.columns);
-        let needed = (self.control_points(&u)?, self.control_points(&v)?);
+        let needed = (self.control_points(&u, u_at)?, self.control_points(&v, v_at)?);
         if rows < needed.0 || columns < needed.1 {
             let message = format!(
                 "a sheet needs a net of at least {} by {} control points, but this one is {rows} by {columns}",
@@ -136,7 +136,7 @@ impl Evaluator<'_> {
         let why = "a chain is a curve".to_owned();
         self.must_join.push(MustJoin { ifs: ifs.clone(), span: ifs_at, why });
         let list = points.list().ok_or(Stop::Reported)?;
-        let needed = self.control_points(ifs)?;
+        let needed = self.control_points(ifs, ifs_at)?;
         if list.len() < needed {
             let message =
                 format!("a chain needs at least {needed} control points, but there are {}", list.len());

@@ -158,7 +158,7 @@ impl Evaluator<'_> {
         if let Some(stop) = stop {
             return Err(stop);
         }
-        let needed = self.control_points(&instance)?;
+        let needed = self.control_points(&instance, target.span)?;
         if rows.len() != needed {
             let name = instance_name(self.hir, &instance);
             let message =

@@ -91,6 +91,9 @@ fn unknown_unit(span: Span, digits: &str, word: &str) -> Diagnostic {
     let all: Vec<&str> = Unit::ALL.iter().map(|unit| unit.suffix()).collect();
     let found = Diagnostic::new(Code::E0105, span, format!("there is no unit `{word}`"))
         .label(format!("glued to the number {digits}"));
+    if let Some(product) = product_of_lengths(digits, word) {
+        return found.hint(product);
+    }
     let lower = word.to_lowercase();
     let meant = OTHER_SPELLINGS.iter().find(|(spelling, _)| *spelling == lower).map(|(_, unit)| *unit);
     let same = || all.iter().copied().find(|unit| *unit == lower);
@@ -104,6 +107,23 @@ fn unknown_unit(span: Span, digits: &str, word: &str) -> Diagnostic {
             .hint(format!("the units are {}", all.join(" ")))
             .hint(format!("to multiply, write `{digits} * {word}`")),
     }
+}
+
+/// What to write for an area or a volume in a unit that has none, such as `cm2`: no other unit is the same.
+fn product_of_lengths(digits: &str, word: &str) -> Option<String> {
+    let powers = [("²", "2"), ("2", "2"), ("³", "3"), ("3", "3")];
+    let (length, power) = powers.iter().find_map(|(sign, power)| Some((word.strip_suffix(sign)?, *power)))?;
+    let lengths = [Unit::Millimetre, Unit::Centimetre, Unit::Metre, Unit::Inch, Unit::Foot];
+    let unit = lengths.iter().map(|unit| unit.suffix()).find(|unit| *unit == length)?;
+    let whole = format!("{unit}{power}");
+    if Unit::ALL.iter().any(|unit| unit.suffix() == whole) {
+        return None;
+    }
+    let factor = format!(" * 1{unit}");
+    let (what, more) = if power == "2" { ("an area", "") } else { ("a volume", factor.as_str()) };
+    Some(format!(
+        "{what} is written in mm{power} or m{power}, or as a product: `({digits}{unit}{factor}{more})`"
+    ))
 }
 
 /// What is wrong with the size of a number, if anything.

@@ -38,6 +38,8 @@ pub(super) fn add(diagnostic: Diagnostic, scene: &Scene<'_>) -> Diagnostic {
         glued_unit,
         size_by,
         other_equals,
+        loops,
+        missing_let,
         foreign_word,
         misspelt,
         reserved,
@@ -125,11 +127,39 @@ fn other_equals(scene: &Scene<'_>) -> Option<Way> {
     }
 }
 
+/// Whether an item, a member of an ifs or a line of a test could begin here.
+fn begins(scene: &Scene<'_>) -> bool {
+    let wanted = [Expected::Item, Expected::NextItem, Expected::NextMember, Expected::NextStep];
+    wanted.iter().any(|one| scene.miss.has(*one))
+}
+
+/// `for i in 0..3 { … }`, `while …`
+fn loops(scene: &Scene<'_>) -> Option<Way> {
+    let (found, _) =
+        scene.found.filter(|(found, _)| found.kind == TokenKind::For || found.is_word("while"))?;
+    let named = found.kind == TokenKind::Name && kind(scene.after) == Some(TokenKind::Equals);
+    if !begins(scene) || named {
+        return None;
+    }
+    say(
+        "there are no loops: a list is made by `[… for i in 0..3]`, a family of transforms by `transform t[i in 0..3] = …`",
+    )
+}
+
+/// `a = 4`
+fn missing_let(scene: &Scene<'_>) -> Option<Way> {
+    let (found, span) = scene.found.filter(|(found, _)| found.kind == TokenKind::Name)?;
+    if !begins(scene) || kind(scene.after) != Some(TokenKind::Equals) {
+        return None;
+    }
+    let before = Span::new(span.file, span.start, span.start);
+    change(format!("a value is declared with `let`: `let {} = …`", found.text), before, "let ")
+}
+
 /// `function`, `const`, …
 fn foreign_word(scene: &Scene<'_>) -> Option<Way> {
     let (found, span) = scene.found.filter(|(found, _)| found.kind == TokenKind::Name)?;
-    let wanted = [Expected::Item, Expected::NextItem, Expected::NextMember, Expected::NextStep];
-    if !wanted.iter().any(|one| scene.miss.has(*one)) {
+    if !begins(scene) {
         return None;
     }
     let (_, keyword) = FOREIGN_WORDS.iter().find(|(word, _)| *word == found.text)?;

@@ -23,12 +23,32 @@ impl Matcher<'_, '_> {
             .is_some_and(|kind| kind.is_keyword() && !matches!(kind, TokenKind::Ifs | TokenKind::Test));
         let outer = brace && !other;
         let keep = match lexeme.kind {
+            // The parser says what is written in place of a loop.
+            TokenKind::Let if self.open.iter().any(|open| open.foreign) => return,
             TokenKind::Let => usize::from(outer),
             TokenKind::Arrow => 0,
             TokenKind::OpenBrace if !brace && self.out.last().is_some_and(|(last, _)| ends_value(*last)) => 0,
             _ => return,
         };
         self.unclosed_above(keep, span);
+    }
+
+    /// Whether what was taken last is `for … `, `while …` or `if …` without `then`, outside of brackets: there is no such block.
+    pub(super) fn after_foreign_head(&self) -> bool {
+        let mut depth = 0usize;
+        for (lexeme, _) in self.out.iter().rev().take(FAR) {
+            match lexeme.kind {
+                kind if kind.is_closer() => depth += 1,
+                kind if kind.closer().is_some() && depth == 0 => return false,
+                kind if kind.closer().is_some() => depth -= 1,
+                _ if depth > 0 => {}
+                TokenKind::For | TokenKind::If => return true,
+                TokenKind::Name if lexeme.is_word("while") => return true,
+                TokenKind::Then | TokenKind::Else | TokenKind::Equals | TokenKind::Colon => return false,
+                _ => {}
+            }
+        }
+        false
     }
 
     /// Closes the brackets which, by the indent of the line that begins at `at`, have ended.

@@ -17,6 +17,8 @@ pub(super) struct Open {
     pub(super) indent: u32,
     /// Whether the next line is indented deeper, or what is inside begins on the same line.
     pub(super) indented: bool,
+    /// Whether it is the body of a loop or a condition as other languages have them.
+    pub(super) foreign: bool,
 }
 
 /// How far doubt and lookahead reach, in lexemes, so that the work stays linear.
@@ -69,7 +71,9 @@ impl<'s, 'r> Matcher<'s, 'r> {
             let inline = self.region.get(at + 1).is_some_and(|(next, _)| next.indent.is_none());
             let indented = inline || self.next_line_indent(at).is_some_and(|next| next > self.indent);
             let place = self.out.len();
-            self.open.push(Open { kind: lexeme.kind, closer, span, place, indent: self.indent, indented });
+            let foreign = lexeme.kind == TokenKind::OpenBrace && self.after_foreign_head();
+            let (kind, indent) = (lexeme.kind, self.indent);
+            self.open.push(Open { kind, closer, span, place, indent, indented, foreign });
         } else if lexeme.kind.is_closer() && !self.close(at) {
             return at + 1;
         }

@@ -118,6 +118,9 @@ fn every_fix_mends_its_text() {
         ("const a = 3", "let a = 3"),
         ("figrue a = b", "figure a = b"),
         ("let a = 3;", "let a = 3"),
+        ("a = 3", "let a = 3"),
+        ("let a = 3\nb = a", "let a = 3\nlet b = a"),
+        ("ifs a on (p) { germ p\n  m = p }", "ifs a on (p) { germ p\n  let m = p }"),
         ("let a = f(1 2)", "let a = f(1, 2)"),
         ("let a = f(x = 2)", "let a = f(x : 2)"),
         ("let a = if x = 3 then y else z", "let a = if x == 3 then y else z"),
@@ -172,9 +175,24 @@ fn hints_without_a_change() {
         ("use std.curves", "name what is used, in brackets: `use std.curves (bezier3)`"),
         ("let a = x ** 2", "there is no `**`: multiply, or call a function"),
         ("let a = 2 x", "to multiply, write `*`"),
+        ("let a = 3cm2", "an area is written in mm2 or m2, or as a product: `(3cm * 1cm)`"),
+        ("let a = 2in3", "a volume is written in mm3 or m3, or as a product: `(2in * 1in * 1in)`"),
         ("let a = (tool: 6mm)", "an argument with a name, like `tool:`, belongs to a call: `name(tool: …)`"),
     ] {
         assert_eq!(only(text).hints[0].text, hint, "{text}");
+    }
+}
+
+/// What stands in the braces of a loop is no mistake of its own.
+#[test]
+fn there_are_no_loops() {
+    for text in [
+        "for i in 0..3 { let b = i }",
+        "let a = [1, 2]\nfor i in 0..3 {\n    let b = i\n}\nlet c = 3",
+        "let a = 1\nwhile a < 3 { let b = 2 }",
+        "ifs a on (p) { germ p\n  for i in 0..3 { let b = i } }",
+    ] {
+        assert!(only(text).hints[0].text.starts_with("there are no loops: "), "{text}");
     }
 }
 
