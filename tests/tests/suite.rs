@@ -6,8 +6,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use ifs_compiler::analysis::{analyse, run_tests};
+use ifs_compiler::analysis::{Unwatched, analyse, run_tests};
 use ifs_compiler::hir::evaluate::Overrides;
+use ifs_compiler::outputs::workshop_faults;
 use ifs_compiler::source::{Files, ReadError};
 use ifs_tests::annotations::{Found, position};
 use ifs_tests::{root, suite};
@@ -43,7 +44,8 @@ fn analysed(_: &str, path: &Path, settings: &[(String, String)]) -> Vec<Found> {
     // The tests in a case are run too: what they find is stated like all else.
     let results = run_tests(&analysis, &overrides);
     let tested = results.iter().flat_map(|result| &result.diagnostics);
-    let found = analysis.diagnostics.iter().chain(tested).map(|diagnostic| {
+    let in_the_workshop = workshop_faults(&analysis, &mut Unwatched);
+    let found = analysis.diagnostics.iter().chain(tested).chain(&in_the_workshop).map(|diagnostic| {
         let source = analysis.sources.get(diagnostic.span.file);
         let place = |byte: u32| source.map_or((1, 1), |source| position(&source.text, byte as usize));
         Found {

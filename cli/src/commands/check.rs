@@ -1,5 +1,9 @@
-//! `ifs check`: every diagnostic of designs; nothing is written.
+//! `ifs check`: what is wrong with designs and with what their machines are to cut; nothing is written.
 
+use ifs_compiler::analysis::Unwatched;
+use ifs_compiler::outputs::workshop_faults;
+
+use super::tell;
 use crate::args::{Check, MessageFormat};
 use crate::exit::Exit;
 use crate::project::Project;
@@ -11,7 +15,8 @@ pub fn check(check: &Check, format: MessageFormat) -> Exit {
         let found = match Project::open(file, format) {
             Ok(project) => {
                 let analysed = project.analyse(&check.settings, format);
-                let found = analysed.exit;
+                let faults = workshop_faults(&analysed.analysis, &mut Unwatched);
+                let found = analysed.exit.max(tell(&faults, &analysed.sources, format).exit);
                 if place + 1 == check.files.len() {
                     // The process ends: the system takes all of it back at once, sooner than piece by piece.
                     std::mem::forget(analysed);

@@ -202,6 +202,7 @@ codes! {
     // NC programs.
     E0901 Error "an NC program that cannot be made",
     E0902 Error "an NC program that its read-back refuses",
+    W0903 Warning "a program for a larger piece than the raw board",
 
     // Nesting.
     E0930 Error "margins that leave no room",

@@ -19,9 +19,12 @@ mod sheet_drawings;
 mod sheet_programs;
 mod sheets;
 mod timber;
+mod workshop;
 
 pub use diagnostics::{DIAGNOSTICS, diagnostics_json};
 pub use selection::{Format, LeftOut, Selection};
+use workshop::small_boards;
+pub use workshop::workshop_faults;
 
 use crate::analysis::{Analysis, Elements};
 use crate::diagnostic::{Code, Diagnostic};
@@ -99,11 +102,11 @@ impl Output {
 /// The outputs of a design, or why some cannot be made.
 #[derive(Debug)]
 pub struct Outputs {
-    /// The files, in order; empty where there are diagnostics.
+    /// The files, in order; empty where there are errors.
     pub files: Vec<Output>,
     /// What is nested, and where.
     pub nests: Nests,
-    /// Boards that cannot be made by the machine they are for.
+    /// Boards that cannot be made by the machine they are for, and warnings about those that can.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -208,9 +211,11 @@ pub fn outputs_watched(analysis: &Analysis, selection: &Selection, watch: &mut d
             files.push(Output::new("report.json", "report", text));
         }
     }
-    let said = diagnostics_json(&analysis.diagnostics, &analysis.sources, false);
+    let warnings = if selection.makes(Format::Nc) { small_boards(analysis) } else { Vec::new() };
+    let all: Vec<Diagnostic> = analysis.diagnostics.iter().chain(&warnings).cloned().collect();
+    let said = diagnostics_json(&all, &analysis.sources, false);
     files.push(Output::new(DIAGNOSTICS, "diagnostics", said));
-    Outputs { files, nests, diagnostics: Vec::new() }
+    Outputs { files, nests, diagnostics: warnings }
 }
 
 /// Programs and drawings of boards and sheets, or what speaks against them.

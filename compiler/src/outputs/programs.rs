@@ -135,12 +135,32 @@ fn cut_in_sheets(blocks: &[Block<'_>], nests: &Nests) -> BTreeSet<(usize, usize)
 }
 
 /// A board that gets no program, and why.
-struct Failure {
+pub(super) struct Failure {
     code: Code,
     alias: String,
     address: String,
     why: String,
-    refusal: Option<Refusal>,
+    pub(super) refusal: Option<Refusal>,
+}
+
+impl Failure {
+    /// E0901: its machine cannot cut it.
+    pub(super) fn refused(job: &CutJob, refusal: Refusal) -> Failure {
+        let (alias, address) = (job.alias.clone(), job.address.clone());
+        Failure { code: Code::E0901, alias, address, why: refusal.to_string(), refusal: Some(refusal) }
+    }
+}
+
+/// Why none of the machines, which differ in their cutters, can cut a board; `None` where one can.
+pub(super) fn refusal_of(job: &CutJob, machines: &[&Machine]) -> Option<Refusal> {
+    let mut first = None;
+    for machine in machines {
+        match sheet(&Sheet::single(job, machine), machine) {
+            Ok(_) => return None,
+            Err(error) => first.get_or_insert(error.refusal),
+        };
+    }
+    first
 }
 
 fn block_programs(
@@ -167,7 +187,7 @@ fn block_programs(
     failures
 }
 
-fn failed(code: Code, failures: &[&Failure], span: Span, fix: Option<Fix>) -> Option<Diagnostic> {
+pub(super) fn failed(code: Code, failures: &[&Failure], span: Span, fix: Option<Fix>) -> Option<Diagnostic> {
     let first = failures.first()?;
     let message = format!("{} ({}) gets no program: {}", first.alias, first.address, first.why);
     let mut diagnostic = Diagnostic::new(code, span, message).label("cannot be cut by this machine");
@@ -179,10 +199,8 @@ fn failed(code: Code, failures: &[&Failure], span: Span, fix: Option<Fix>) -> Op
     }
     let remedy = first.refusal.as_ref().and_then(Refusal::remedy);
     Some(match (code, remedy) {
-        (Code::E0901, Some(remedy)) => {
-            diagnostic.ways(format!("{remedy}; nothing was written"), fix.into_iter().collect())
-        }
-        (Code::E0901, None) => diagnostic.hint("change its outline; nothing was written"),
+        (Code::E0901, Some(remedy)) => diagnostic.ways(remedy, fix.into_iter().collect()),
+        (Code::E0901, None) => diagnostic.hint("change its outline"),
         _ => diagnostic.note("the program was read back and does not cut the board; nothing was written"),
     })
 }

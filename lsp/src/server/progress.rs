@@ -57,6 +57,7 @@ fn words(working: &watch::Receiver<Option<Work>>) -> Option<String> {
             )
         }
         Doing::Mending => "looks for what would mend it".to_owned(),
+        Doing::Cutting => "sees whether its machines can cut it".to_owned(),
     };
     Some(format!("{design}: {doing}"))
 }

@@ -14,6 +14,7 @@ use std::time::Duration;
 use ifs_compiler::analysis::{Analysis, Watch, measure_watched, mended};
 use ifs_compiler::diagnostic::Diagnostic;
 use ifs_compiler::hir::evaluate::Overrides;
+use ifs_compiler::outputs::workshop_faults;
 use ifs_compiler::planarize::Progress;
 
 use super::owner::Message;
@@ -174,7 +175,12 @@ impl Background {
             }
             let mend = |measured: &Arc<Analysis>| {
                 watch.say(Doing::Mending);
-                let mended = || mended(measured, &overrides, &mut watch);
+                let mended = || {
+                    let mut mended = mended(measured, &overrides, &mut watch);
+                    watch.say(Doing::Cutting);
+                    mended.extend(workshop_faults(measured, &mut watch));
+                    mended
+                };
                 catch_unwind(AssertUnwindSafe(mended)).ok().map(|mended| worked(measured, Some(mended)))
             };
             let worked = measured.as_ref().filter(|_| is_wanted()).and_then(mend);

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use ifs_compiler::analysis::{Analysis, read_indexed};
-use ifs_compiler::diagnostic::Diagnostic;
+use ifs_compiler::diagnostic::{Code, Diagnostic};
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::FileId;
 
@@ -87,6 +87,11 @@ fn paths(analysis: &Analysis) -> Vec<String> {
 fn is_same_failure(one: &Diagnostic, other: &Diagnostic) -> bool {
     let said = |of: &Diagnostic| (of.code, of.span, of.message.clone(), of.label.clone(), of.notes.clone());
     said(one) == said(other) && one.labels == other.labels
+}
+
+/// Whether a diagnostic is of those that are found last: what a machine cannot cut.
+fn is_of_workshop(found: &Diagnostic) -> bool {
+    matches!(found.code, Code::E0804 | Code::E0901)
 }
 
 /// The open documents that have been read.
@@ -215,7 +220,10 @@ impl Designs {
             Some(known) if mended.is_none() => known.clone(),
             _ => found,
         };
-        let worked: Vec<Diagnostic> = found.map(kept).collect();
+        let mut worked: Vec<Diagnostic> = found.map(kept).collect();
+        if mended.is_none() && !analysis.has_errors() {
+            worked.extend(known.iter().filter(|known| is_of_workshop(known)).cloned());
+        }
         let same = worked == known;
         design.worked = worked;
         if same && mended.is_some() {

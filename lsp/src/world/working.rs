@@ -14,6 +14,8 @@ pub(crate) enum Doing {
     Planarizing(String, Progress),
     /// It is looked for what would mend its failures.
     Mending,
+    /// It is seen whether its machines can cut it.
+    Cutting,
 }
 
 /// A design that is being worked out.

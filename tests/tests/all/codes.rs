@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
-use ifs_compiler::analysis::{Analysis, Verdict, analyse, run_tests};
+use ifs_compiler::analysis::{Analysis, Unwatched, Verdict, analyse, run_tests};
 use ifs_compiler::diagnostic::{Code, Diagnostic, Severity};
 use ifs_compiler::hir::LIBRARY;
 use ifs_compiler::hir::evaluate::Overrides;
-use ifs_compiler::outputs::{Selection, outputs};
+use ifs_compiler::outputs::{Selection, outputs, workshop_faults};
 use ifs_compiler::source::{Files, MemoryFiles, ReadError};
 use ifs_compiler::syntax::limits::MAX_BYTES;
 use ifs_tests::pages::{Block, blocks};
@@ -31,7 +31,6 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("E0860", "a_machine_of_a_file_takes_the_place_of_the_designs"),
     ("E0861", "a_machine_of_a_file_takes_the_place_of_the_designs"),
     ("E0862", "a_machine_of_a_file_takes_the_place_of_the_designs"),
-    ("E0901", "a_board_that_the_machine_cannot_cut"),
     ("E0902", "a_program_that_its_read_back_refuses"),
     ("E0934", "a_nest_that_its_check_refuses"),
     ("E0935", "a_sheet_that_the_machine_cannot_cut"),
@@ -413,6 +412,8 @@ fn the_designs_in_the_documentation_mean_what_it_says() {
             let settings = overrides(&block.settings());
             let mut analysis = analyse(&files.clone().with(name, block.whole.as_bytes()), name, &settings);
             analysis.diagnostics.extend(tested(&analysis));
+            let in_the_workshop = workshop_faults(&analysis, &mut Unwatched);
+            analysis.diagnostics.extend(in_the_workshop);
             // That irrational coefficients are rounded is said wherever it is so, in the library's examples too.
             analysis.diagnostics.retain(|found| path != "docs/library.md" || found.code != Code::W0546);
             if !block.has("wrong") {

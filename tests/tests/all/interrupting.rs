@@ -24,7 +24,9 @@ const SOON: Duration = Duration::from_millis(1500);
 fn planarized() -> String {
     let text = example_text("shell").replace("at level 2", "at level 3").replace("== 256", "== 1024");
     let text = text.replace("worst: 1,", "threshold: 0.9999999, worst: 1,");
-    text.lines().filter(|line| !line.contains("require ")).map(|line| format!("{line}\n")).collect()
+    // One requirement stays, which holds: without any it would be warned that the aim is missed.
+    let stays = |line: &&str| !line.contains("require ") || line.contains(">= 0.9");
+    text.lines().filter(stays).map(|line| format!("{line}\n")).collect()
 }
 
 /// The same left as designed: what takes long are the programs and the files.
