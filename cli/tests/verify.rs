@@ -70,6 +70,27 @@ fn set(folder: &Path) -> Memory {
 }
 
 #[test]
+fn a_set_whose_last_build_failed_says_so() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verify-failed");
+    fs::create_dir_all(&folder).unwrap();
+    let (design, out) = (folder.join("design.ifs"), folder.join("out"));
+    let text = fs::read_to_string(examples().join("vault.ifs")).unwrap();
+    let build = |text: &str| {
+        fs::write(&design, text).unwrap();
+        ifs(&["build", design.to_str().unwrap(), "-o", out.to_str().unwrap()]).status.code()
+    };
+    let said = || {
+        let found = ifs(&["verify", out.to_str().unwrap()]);
+        assert_eq!(found.status.code(), Some(0));
+        String::from_utf8(found.stdout).unwrap()
+    };
+    assert_eq!(build(&text), Some(0));
+    assert!(said().ends_with("all of it is as it was built\n"), "{}", said());
+    assert_eq!(build(&text.replace("require", "require count <= 1\n    require")), Some(1));
+    assert!(said().contains("but not by the last build"), "{}", said());
+}
+
+#[test]
 fn every_example_as_built_is_good() {
     for entry in fs::read_dir(examples()).unwrap() {
         let path = entry.unwrap().path();

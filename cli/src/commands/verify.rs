@@ -53,8 +53,8 @@ pub fn verify(verify: &Verify, format: MessageFormat) -> Exit {
                 expected: "one that a build of ifs wrote".to_owned(),
                 found: refused.reason,
             };
-            let (files, read, by_hash, foreign) = (0, 0, Vec::new(), Vec::new());
-            tell(&Verdict { findings: vec![finding], files, read, by_hash, foreign }, folder, format)
+            let (files, read, by_hash, foreign, failed) = (0, 0, Vec::new(), Vec::new(), false);
+            tell(&Verdict { findings: vec![finding], files, read, by_hash, foreign, failed }, folder, format)
         }
     }
 }
@@ -123,6 +123,7 @@ struct JsonVerdict<'a> {
     by_hash: &'a [String],
     foreign: &'a [String],
     findings: usize,
+    failed: bool,
 }
 
 fn tell(verdict: &Verdict, folder: &Path, format: MessageFormat) -> Exit {
@@ -147,6 +148,7 @@ fn json(verdict: &Verdict) -> String {
         by_hash: &verdict.by_hash,
         foreign: &verdict.foreign,
         findings: verdict.findings.len(),
+        failed: verdict.failed,
     };
     let lines = verdict.findings.iter().map(line).chain([serde_json::to_string(&summary)]);
     lines.flatten().map(|line| line + "\n").collect()
@@ -183,6 +185,9 @@ fn human(verdict: &Verdict, folder: &Path) -> String {
         text += &format!("foreign   {}\n", plain(name));
     }
     text += &match verdict.findings.len() {
+        0 if verdict.failed => "all of it is as it was built, but not by the last build: that failed, and `diagnostics.json` says \
+                               why\n"
+            .to_owned(),
         0 => "all of it is as it was built\n".to_owned(),
         count => format!("{}: do not use these files\n", counted(count, "finding")),
     };

@@ -56,6 +56,8 @@ pub struct Verdict {
     pub by_hash: Vec<String>,
     /// Files that the manifest does not list: not outputs.
     pub foreign: Vec<String>,
+    /// Whether the last build failed: then the files are those of the build before.
+    pub failed: bool,
 }
 
 /// Verifies a set.
@@ -93,7 +95,8 @@ pub fn verify(folder: &dyn Folder) -> Result<Verdict, NotAManifest> {
         labels::check(&set, report, &mut findings);
         glb::with_frames(&set, report, &mut findings);
     }
-    Ok(Verdict { findings: findings.sorted(), files: manifest.files.len(), read, by_hash, foreign })
+    let (files, failed) = (manifest.files.len(), manifest.failed);
+    Ok(Verdict { findings: findings.sorted(), files, read, by_hash, foreign, failed })
 }
 
 /// The listed files.

@@ -1,7 +1,8 @@
 //! Expressions: which kind goes where.
 
+use super::names::not_among;
 use super::{Checker, Frame, error_expr};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::exact::Rational;
 use crate::hir::dimension::{Worth, unit_worth};
 use crate::hir::index::Target;
@@ -97,7 +98,12 @@ impl Checker<'_> {
             let words = kind.words().iter().map(|word| word.name);
             let message = format!("`{name}` is none of the words that can stand here");
             let name = ast::Name { text: name.to_owned(), span };
-            self.unknown_word(Code::E0411, &name, message, words);
+            let mut diagnostic = not_among(Code::E0411, &name, message, words.clone());
+            if diagnostic.hints.is_empty() {
+                let fixes = words.map(|word| Fix::replacing(span, word));
+                diagnostic = diagnostic.ways("write one of its words", fixes.collect());
+            }
+            self.report(diagnostic);
             return error_expr(span);
         };
         self.refer(span, Target::Choice(kind, position));

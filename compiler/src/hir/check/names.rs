@@ -151,16 +151,25 @@ impl Checker<'_> {
         message: String,
         known: impl Iterator<Item = &'n str> + Clone,
     ) {
-        let mut diagnostic = Diagnostic::new(code, name.span, message).label("not known here");
-        if let Some(candidate) = closest(&name.text, known.clone()) {
-            diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), name.span, candidate);
-        }
-        let words: Vec<String> = known.map(|word| format!("`{word}`")).collect();
-        diagnostic = match words.as_slice() {
-            [] => diagnostic,
-            [only] => diagnostic.note(format!("there is only {only}")),
-            [rest @ .., last] => diagnostic.note(format!("it can be {} or {last}", rest.join(", "))),
-        };
-        self.report(diagnostic);
+        self.report(not_among(code, name, message, known));
+    }
+}
+
+/// What is said of a name that is not one of a closed list.
+pub(super) fn not_among<'n>(
+    code: Code,
+    name: &ast::Name,
+    message: String,
+    known: impl Iterator<Item = &'n str> + Clone,
+) -> Diagnostic {
+    let mut diagnostic = Diagnostic::new(code, name.span, message).label("not known here");
+    if let Some(candidate) = closest(&name.text, known.clone()) {
+        diagnostic = diagnostic.fix(format!("did you mean `{candidate}`?"), name.span, candidate);
+    }
+    let words: Vec<String> = known.map(|word| format!("`{word}`")).collect();
+    match words.as_slice() {
+        [] => diagnostic,
+        [only] => diagnostic.note(format!("there is only {only}")),
+        [rest @ .., last] => diagnostic.note(format!("it can be {} or {last}", rest.join(", "))),
     }
 }

@@ -238,6 +238,15 @@ impl Lowering<'_, '_> {
                 (format!("this asks for {count}; the limit is {limit}"), fits)
             }
         };
-        self.diagnostics.push(Diagnostic::new(Code::E0701, span, message).label("too deep").hint(hint));
+        let diagnostic = Diagnostic::new(Code::E0701, span, message).label("too deep");
+        // A short word is the number or a name for it.
+        let level = match error {
+            BudgetError::TooDeep { .. } => Some(budget::MAX_LEVEL),
+            BudgetError::TooMany { fits, .. } => *fits,
+        };
+        self.diagnostics.push(match level.filter(|_| span.end - span.start <= 3) {
+            Some(level) => diagnostic.fix(hint, span, level.to_string()),
+            None => diagnostic.hint(hint),
+        });
     }
 }
