@@ -40,6 +40,10 @@ pub(super) fn of_item(analysis: &Analysis, known: WorkedOut<'_>, id: ItemId) -> 
     Some(format!("value `{}`", value_words(&value, ty)?))
 }
 
+fn count(number: u64, one: &str, several: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { several })
+}
+
 fn of_figure(made: &Analysis, name: &str) -> Option<String> {
     let lowered = made.plan.as_ref()?;
     let counted = lowered.plan.figures().iter().zip(&lowered.counts);
@@ -47,9 +51,11 @@ fn of_figure(made: &Analysis, name: &str) -> Option<String> {
     let (first, _) = figures.first()?;
     let elements: u64 = figures.iter().map(|(_, count)| count.elements).sum();
     let vertices: u64 = figures.iter().map(|(_, count)| count.vertices).sum();
+    let counted =
+        format!("{}, {}", count(elements, "element", "elements"), count(vertices, "vertex", "vertices"));
     let mut text = match figures.len() {
-        1 => format!("{elements} elements, {vertices} vertices at level {}", first.shape.level_words()),
-        several => format!("{several} figures, {elements} elements, {vertices} vertices"),
+        1 => format!("{counted} at level {}", first.shape.level_words()),
+        several => format!("{several} figures, {counted}"),
     };
     if figures.iter().all(|(figure, _)| figure.shape.planar_by_construction()) {
         text += ", planar by construction";
@@ -62,7 +68,8 @@ fn of_figure(made: &Analysis, name: &str) -> Option<String> {
         text += &match &fabrication.elements {
             Elements::Panels(made) => {
                 let built = made.figures.iter().map(|figure| &figure.built);
-                format!("{} boards{}", made.panels.len(), sizes::of_surfaces(built))
+                let boards = count(made.panels.len() as u64, "board", "boards");
+                format!("{boards}{}", sizes::of_surfaces(built))
             }
             Elements::Planks(made) => {
                 let lengths = made.planks.iter().map(|plank| SizeRange::one(plank.length));
@@ -70,7 +77,7 @@ fn of_figure(made: &Analysis, name: &str) -> Option<String> {
                 let words = lengths.map_or_else(String::new, |SizeRange { least, most }| {
                     format!(", {} long", sizes::range(least, most))
                 });
-                format!("{} planks{words}", made.planks.len())
+                format!("{}{words}", count(made.planks.len() as u64, "plank", "planks"))
             }
         };
     }

@@ -1,14 +1,16 @@
 //! What stands at a place, in words: how it is declared, its type, what is said of it, and what was made of it.
 
+use std::borrow::Cow;
+
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::hir::index::{Declaration, DeclarationKind, Target};
 use ifs_compiler::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
 use ifs_compiler::hir::tree::{ItemId, ItemKind};
 use ifs_compiler::hir::type_names::type_name;
 use ifs_compiler::hir::types::Type;
-use ifs_compiler::hir::{ItemDocs, item_docs, library_docs, native_item_docs};
+use ifs_compiler::hir::{ItemDocs, item_docs, library_docs, native_item_docs, native_parameter};
 use ifs_compiler::source::{FileId, Span};
-use ifs_compiler::syntax::ast;
+use ifs_compiler::syntax::{ast, parse};
 
 use super::boards::board;
 use super::facts::{self, WorkedOut};
@@ -48,11 +50,10 @@ fn target(analysis: &Analysis, known: WorkedOut<'_>, target: Target) -> Option<S
         Target::Native(native) => Some(documented(&native_item_docs(native.declaration()))),
         Target::NativeParameter(native, place) => {
             let declaration = native.declaration();
-            Some(code(&format!(
-                "{}: parameter of {}",
-                declaration.parameters.get(place)?.name,
-                declaration.name
-            )))
+            let parameter = declaration.parameters.get(place)?;
+            let declared = code(&format!("{}: {}", parameter.name, native_parameter(parameter)));
+            let optional = if parameter.required { "" } else { "; may be left out" };
+            Some(format!("{declared}\nparameter of `{}`{optional}", declaration.name))
         }
         Target::Setting(kind, name) => setting(analysis, kind, name),
         Target::Measure(measure) => Some(of_measure(measure)),
@@ -105,7 +106,7 @@ fn declared(analysis: &Analysis, known: WorkedOut<'_>, declaration: &Declaration
         DeclarationKind::Running => typed("for"),
         DeclarationKind::Transform(owner) => {
             let ifs = &analysis.hir.item(owner).name;
-            let mut text = format!("{}\ntransform of `{ifs}`", code(&line_of(analysis, declaration.span)));
+            let mut text = format!("{}\ntransform of `{ifs}`", code(&member_of(analysis, declaration.span)));
             if let Some(facts) = states::of_transform(analysis, known, owner, &declaration.name) {
                 text += &format!("\n\n---\n{facts}");
             }
@@ -114,20 +115,24 @@ fn declared(analysis: &Analysis, known: WorkedOut<'_>, declaration: &Declaration
         DeclarationKind::Boundary(owner) => {
             format!(
                 "{}\nboundary of `{}`",
-                code(&line_of(analysis, declaration.span)),
+                code(&member_of(analysis, declaration.span)),
                 analysis.hir.item(owner).name
             )
         }
     })
 }
 
-/// The line on which a name stands, without what is around it.
-fn line_of(analysis: &Analysis, span: Span) -> String {
-    let Some(source) = analysis.sources.get(span.file) else { return String::new() };
-    let line = source.lines.bytes(span.start).line;
-    let start = source.lines.line_start(line).unwrap_or(0);
-    let end = source.lines.line_start(line + 1).unwrap_or(source.text.len() as u32);
-    one_spaced(source.slice(Span::new(span.file, start, end)).trim())
+/// The member of an ifs whose name stands there, as it is written.
+fn member_of(analysis: &Analysis, name: Span) -> String {
+    let Some(source) = analysis.sources.get(name.file) else { return String::new() };
+    let own = analysis.files.iter().find(|file| file.file == name.file);
+    let tree = own.map_or_else(|| Cow::Owned(parse(source).ast), |file| Cow::Borrowed(&file.parse.ast));
+    let around = |span: Span| span.start <= name.start && name.end <= span.end;
+    let member = tree.items.iter().filter(|item| around(item.span)).find_map(|item| match &item.kind {
+        ast::ItemKind::Ifs(ifs) => ifs.members.iter().map(|member| member.span).find(|span| around(*span)),
+        _ => None,
+    });
+    one_spaced(source.slice(member.unwrap_or(name)))
 }
 
 fn item(analysis: &Analysis, known: WorkedOut<'_>, declaration: &Declaration, id: ItemId) -> Option<String> {

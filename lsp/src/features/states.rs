@@ -239,6 +239,13 @@ mod tests {
     }
 
     #[test]
+    fn a_transform_is_told_as_it_is_written() {
+        let text = "ifs one on (a, b) { transform le$1ft =\n    self on (a, lerp(a, b, 1/2)) transform right = self on (lerp(a, b, 1/2), b) germ segment(a, b) }\n";
+        let said = shown(text, "$1", false);
+        contains(&said, &["```ifs\ntransform left =\n    self on (a, lerp(a, b, 1/2))\n```"]);
+    }
+
+    #[test]
     fn a_map_of_the_plane() {
         let text = "ifs grow in plane {\n    transform b$1ranch = translate(0m, 1.6m) * rotate(90deg) * scale(0.5) * self\n    germ segment((0m, 0m), (0m, 1m))\n}\n";
         let said = shown(text, "$1", false);

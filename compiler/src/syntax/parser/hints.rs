@@ -114,6 +114,19 @@ fn other_equals(scene: &Scene<'_>) -> Option<Way> {
             let colon = scene.before.filter(|(before, _)| before.kind == TokenKind::Colon);
             colon.and_then(|(_, colon)| change("leave out the `:` where no type is written", colon, ""))
         }
+        TokenKind::Equals if scene.miss.has(Expected::Colon) && scene.is_typed => {
+            let Some(TokenKind::Number(unit)) = kind(scene.after) else {
+                return say("its type stands before the value: `: Length = 3m`");
+            };
+            let ty = match unit.map(Unit::suffix) {
+                None => "Number",
+                Some("mm" | "cm" | "m" | "in" | "ft") => "Length",
+                Some("deg" | "rad") => "Angle",
+                Some(_) => return say("its type stands before the value: `: Length = 3m`"),
+            };
+            let from = scene.before.map_or(span, |(_, before)| Span::new(span.file, before.end, span.end));
+            change("its type stands before the value", from, format!(": {ty} ="))
+        }
         TokenKind::Equals if scene.miss.has(Expected::Colon) => {
             change("a field is given with `:`", span, ":")
         }

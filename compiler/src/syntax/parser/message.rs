@@ -31,6 +31,8 @@ pub(super) struct Scene<'s> {
     pub(super) found: Option<Placed<'s>>,
     /// What comes after that.
     pub(super) after: Option<Placed<'s>>,
+    /// Whether the item declares names with types: a parameter or a record.
+    pub(super) is_typed: bool,
 }
 
 impl<'s> Reader<'s, '_> {
@@ -39,8 +41,9 @@ impl<'s> Reader<'s, '_> {
         let item = &self.lexemes[self.item.clone()];
         let at = item.partition_point(|(_, span)| span.start < miss.span.start);
         let get = |at: Option<usize>| at.and_then(|at| item.get(at)).copied();
-        let scene =
-            Scene { miss, before: get(at.checked_sub(1)), found: get(Some(at)), after: get(Some(at + 1)) };
+        let (before, found, after) = (get(at.checked_sub(1)), get(Some(at)), get(Some(at + 1)));
+        let typed = |placed: &Placed<'_>| matches!(placed.0.kind, TokenKind::Param | TokenKind::Record);
+        let scene = Scene { miss, before, found, after, is_typed: item.iter().take(2).any(typed) };
         let suspect = |placed: Option<Placed<'_>>| placed.is_some_and(|(lexeme, _)| lexeme.suspect);
         if suspect(scene.before) || suspect(scene.found) {
             return None;
