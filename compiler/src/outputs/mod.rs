@@ -3,6 +3,7 @@
 mod assembly;
 mod diagnostics;
 mod drawings;
+mod failures;
 mod html;
 mod labels;
 mod machines;

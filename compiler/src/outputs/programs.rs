@@ -1,5 +1,6 @@
 //! NC programs: one for each board and plank of a block with a machine, read back before it is given out.
 
+use super::failures::{Failure, failed};
 use super::machines::machines;
 use super::names::safe_file_name;
 use super::nests::{Nests, SheetNest};
@@ -7,7 +8,7 @@ use super::refits::refit;
 use super::sheet_programs::is_wanted;
 use super::{Making, Output, Selection, design_hash};
 use crate::analysis::{Analysis, Elements, Fabrication, Programs, number};
-use crate::diagnostic::{Code, Diagnostic, Fix};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::export::nc::{self, NcFile};
 use crate::export::number::fixed;
 use crate::fabricate::cut_job::{CutJob, Engraving, Sheet};
@@ -23,9 +24,6 @@ use std::collections::BTreeSet;
 
 /// Room between the deepest bevel and the engraving, mm.
 const CLEAR_OF_BEVELS: f64 = 1.0;
-
-/// How many boards that cannot be cut are named.
-const NAMED: usize = 5;
 
 /// A fabricate block with what its machine is to cut.
 pub(super) struct Block<'a> {
@@ -134,23 +132,6 @@ fn cut_in_sheets(blocks: &[Block<'_>], nests: &Nests) -> BTreeSet<(usize, usize)
     nests.flat_map(of_nest).collect()
 }
 
-/// A board that gets no program, and why.
-pub(super) struct Failure {
-    code: Code,
-    alias: String,
-    address: String,
-    why: String,
-    pub(super) refusal: Option<Refusal>,
-}
-
-impl Failure {
-    /// E0901: its machine cannot cut it.
-    pub(super) fn refused(job: &CutJob, refusal: Refusal) -> Failure {
-        let (alias, address) = (job.alias.clone(), job.address.clone());
-        Failure { code: Code::E0901, alias, address, why: refusal.to_string(), refusal: Some(refusal) }
-    }
-}
-
 /// Why none of the machines, which differ in their cutters, can cut a board; `None` where one can.
 pub(super) fn refusal_of(job: &CutJob, machines: &[&Machine]) -> Option<Refusal> {
     let mut first = None;
@@ -185,24 +166,6 @@ fn block_programs(
         }
     }
     failures
-}
-
-pub(super) fn failed(code: Code, failures: &[&Failure], span: Span, fix: Option<Fix>) -> Option<Diagnostic> {
-    let first = failures.first()?;
-    let message = format!("{} ({}) gets no program: {}", first.alias, first.address, first.why);
-    let mut diagnostic = Diagnostic::new(code, span, message).label("cannot be cut by this machine");
-    if failures.len() > 1 {
-        let others: Vec<&str> =
-            failures[1..].iter().take(NAMED).map(|failure| failure.alias.as_str()).collect();
-        let more = if failures.len() > NAMED + 1 { ", …" } else { "" };
-        diagnostic = diagnostic.note(format!("and {} more: {}{more}", failures.len() - 1, others.join(", ")));
-    }
-    let remedy = first.refusal.as_ref().and_then(Refusal::remedy);
-    Some(match (code, remedy) {
-        (Code::E0901, Some(remedy)) => diagnostic.ways(remedy, fix.into_iter().collect()),
-        (Code::E0901, None) => diagnostic.hint("change its outline"),
-        _ => diagnostic.note("the program was read back and does not cut the board; nothing was written"),
-    })
 }
 
 /// Why there is no program.

@@ -2,7 +2,8 @@
 //! Nests, and programs read back, come with the build.
 
 use super::Selection;
-use super::programs::{Block, Failure, blocks, failed, refusal_of};
+use super::failures::{Failure, failed};
+use super::programs::{Block, blocks, refusal_of};
 use super::refits::refit;
 use crate::analysis::{Analysis, Elements, Nest, Programs, Watch};
 use crate::diagnostic::{Code, Diagnostic};

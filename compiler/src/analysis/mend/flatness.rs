@@ -3,7 +3,8 @@
 
 use super::levels::found;
 use super::parameters::shortfall;
-use super::variants::{Confirmed, MORE_ITERATIONS, Planarized, Variant};
+use super::planarized::Planarized;
+use super::variants::{Confirmed, MORE_ITERATIONS, Variant};
 use super::{Asked, Remedies, Remedy, Worth};
 use crate::analysis::fabrication::{Elements, Fabrication, PanelsMade};
 use crate::analysis::requirements::{LimitValue, RequirementResult};

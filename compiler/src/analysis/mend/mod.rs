@@ -8,6 +8,7 @@ mod grain;
 mod levels;
 mod material;
 mod parameters;
+mod planarized;
 mod stock;
 mod text;
 mod variants;
