@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
 
-use ifs_compiler::analysis::Analysis;
-use ifs_compiler::outputs::{Selection, outputs};
+use ifs_compiler::analysis::{Analysis, Unwatched};
+use ifs_compiler::diagnostic::{Diagnostic, Severity};
+use ifs_compiler::outputs::{Selection, outputs, workshop_faults};
 
 use super::diagnostics::printed;
 use super::{Holds, holds};
@@ -24,9 +25,12 @@ pub(super) fn outputs_hold(first: &Analysis, again: &Analysis) -> Holds {
 fn contents(analysis: &Analysis) -> Result<(BTreeMap<String, Vec<u8>>, String), String> {
     let made = outputs(analysis, &Selection::all());
     let said = printed(&made.diagnostics, &analysis.sources)?;
-    holds(made.files.is_empty() != made.diagnostics.is_empty(), || {
-        format!("neither files nor words: {said}")
-    })?;
+    let fails = |found: &[Diagnostic]| found.iter().any(|found| found.severity() == Severity::Error);
+    holds(made.files.is_empty() == fails(&made.diagnostics), || format!("neither files nor words: {said}"))?;
+    // What is said before a build is said of no design that can be built.
+    let before = workshop_faults(analysis, &mut Unwatched);
+    let words = printed(&before, &analysis.sources)?;
+    holds(made.files.is_empty() || !fails(&before), || format!("built in spite of {words}"))?;
     let mut files = BTreeMap::new();
     for file in made.files {
         let mut bytes = Vec::new();
