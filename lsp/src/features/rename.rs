@@ -125,14 +125,11 @@ pub(crate) fn same_meaning(
 ) -> Result<(), String> {
     let moved = |span: Span| {
         let grown = |place: &Span| i64::from(new.len() as u32) - i64::from(place.end - place.start);
-        let by = |offset: u32, is_end: bool| {
-            let earlier = changed.iter().filter(|place| {
-                place.file == span.file
-                    && if is_end { place.end <= offset } else { place.end <= offset && place.start < offset }
-            });
+        let by = |offset: u32| {
+            let earlier = changed.iter().filter(|place| place.file == span.file && place.end <= offset);
             (i64::from(offset) + earlier.map(grown).sum::<i64>()) as u32
         };
-        Span::new(span.file, by(span.start, false), by(span.end, true))
+        Span::new(span.file, by(span.start), by(span.end))
     };
     let same = |span: Span| span;
     let names = |analysis: &Analysis, moved: &dyn Fn(Span) -> Span| -> BTreeSet<(Span, Target)> {
