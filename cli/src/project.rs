@@ -48,7 +48,7 @@ impl Project {
             return Err(Exit::Usage);
         };
         if marked {
-            let diagnostics = project.read_settings();
+            let diagnostics = project.read_settings(text_of(&project.disk.root.join(PROJECT_FILE)));
             let told = tell(&diagnostics, &project.text, messages);
             if told.exit != Exit::Good {
                 return Err(told.exit);
@@ -66,11 +66,13 @@ impl Project {
         Ok(project)
     }
 
-    /// The same without a word: an `ifs.toml` with errors sets what could be understood of it.
-    pub fn silent(named: &Path) -> Option<Project> {
+    /// The same without a word: an `ifs.toml` with errors sets what could be understood of it. Where `open` has its text, that
+    /// goes before the one on disk.
+    pub fn silent(named: &Path, open: &dyn Fn(&Path) -> Option<String>) -> Option<Project> {
         let (mut project, marked) = Project::of(named)?;
         if marked {
-            project.read_settings();
+            let path = project.disk.root.join(PROJECT_FILE);
+            project.read_settings(open(&path).map_or_else(|| text_of(&path), Ok));
         }
         Some(project)
     }
@@ -95,9 +97,9 @@ impl Project {
         Some((Project { disk, shown, settings, machine: None, text: SourceMap::default() }, is_marked))
     }
 
-    fn read_settings(&mut self) -> Vec<Diagnostic> {
+    fn read_settings(&mut self, text: Result<String, String>) -> Vec<Diagnostic> {
         let path = self.shown.join(PROJECT_FILE).display().to_string();
-        match text_of(&self.disk.root.join(PROJECT_FILE)) {
+        match text {
             Ok(text) => {
                 let (settings, found) = read_project(FileId(0), &text);
                 self.text.add(path, text);

@@ -266,6 +266,9 @@ fn evaluate(hir: &Hir, overrides: &Overrides, watch: &mut dyn Watch) -> Evaluate
             fabrications.extend(made);
         }
     }
+    if let Some(plan) = &plan {
+        diagnostics.extend(placed::too_large(hir, plan));
+    }
     let mut evaluated = Evaluated { parameters, plan, fabrications, diagnostics: evaluator.finish() };
     evaluated.diagnostics.extend(diagnostics.finish());
     evaluated

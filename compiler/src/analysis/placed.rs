@@ -1,14 +1,18 @@
 //! Figures worked out in space: points of curves, quads of surfaces, and what each element is called.
 
+use crate::diagnostic::Diagnostic;
 use crate::fabricate::label::Label;
 use crate::geometry::{Grid, LARGEST_COORDINATE, QuadMesh, grid::Closed};
+use crate::hir::tree::{Hir, ItemId};
 use crate::plan::address::{Address, FigureAddresses};
 use crate::plan::evaluate::{
     PiecesEvaluator, PointGrid, SheetEvaluator, basis, chain_points, curve_points, net_points, patchwork,
     swept_points,
 };
+use crate::plan::lower::{Lowered, out_of_reach};
 use crate::plan::{FigurePlan, Plan, Shape};
 use glam::DVec3;
+use std::collections::BTreeMap;
 use std::convert::Infallible;
 
 /// A figure in space, mm.
@@ -57,6 +61,26 @@ pub fn figure_geometry(plan: &Plan, figure: &FigurePlan) -> Option<FigureGeometr
         Shape::Net(net) => surface(net_points(plan.automaton(), net), net.closed),
         Shape::Swept(swept) => surface(swept_points(plan.automaton(), swept), swept.closed()),
     }
+}
+
+/// E0707, once for each name, for figures that reach further than can be built. Of those that boards or planks are made of, the blocks say so.
+pub(super) fn too_large(hir: &Hir, lowered: &Lowered) -> Vec<Diagnostic> {
+    let plan = &lowered.plan;
+    let all = plan.figures().iter().zip(&lowered.sources);
+    let alone = all.filter(|(_, source)| hir.fabricates.iter().all(|block| block.figure != source.item));
+    let far = alone.filter(|(figure, _)| {
+        let may = figure.shape.reach(plan.automaton()) > LARGEST_COORDINATE;
+        may && figure_geometry(plan, figure).is_none()
+    });
+    let mut first: BTreeMap<ItemId, &FigurePlan> = BTreeMap::new();
+    far.for_each(|(figure, source)| {
+        first.entry(source.item).or_insert(figure);
+    });
+    let said = first.into_iter().map(|(item, figure)| {
+        out_of_reach(figure, hir.item(item).name_span)
+            .hint("are the units of its control points right? An ifs that does not contract makes it larger with each level")
+    });
+    said.collect()
 }
 
 /// The points where all of them can be built.

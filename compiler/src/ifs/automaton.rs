@@ -110,6 +110,8 @@ pub struct State {
     pub name: String,
     /// How many control points it stands on.
     pub control_points: usize,
+    /// Their names, or those of the points of its frame.
+    pub point_names: Vec<String>,
     /// Its transforms, in the order of declaration, which for a curve is the order along it.
     pub transforms: Vec<Transform>,
     /// What is drawn at the last level.
@@ -128,13 +130,14 @@ pub struct State {
 }
 
 impl State {
-    /// A state on control points without `keep`, boundaries and stated joins.
+    /// A state on control points `p0`, `p1`, …, without `keep`, boundaries and stated joins.
     pub fn new(name: String, control_points: usize, transforms: Vec<Transform>, germ: Germ) -> State {
         let (keep, boundaries, stated_joins) = (Vec::new(), Vec::new(), Vec::new());
         let space = StateSpace::Control;
         State {
             name,
             control_points,
+            point_names: (0..control_points).map(|point| format!("p{point}")).collect(),
             transforms,
             germ,
             keep,

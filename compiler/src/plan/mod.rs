@@ -12,6 +12,7 @@ mod figure;
 pub mod lower;
 mod net;
 mod print;
+mod reach;
 pub mod size;
 mod swept;
 pub mod until;

@@ -14,8 +14,34 @@ use crate::source::Span;
 pub struct File {
     /// The `//!` lines before the first item, without the marks.
     pub docs: Vec<String>,
+    /// The empty span where the first item begins with the `///` lines before it; the end of a text without items.
+    pub first: Span,
     /// The items in order.
     pub items: Vec<Item>,
+}
+
+impl File {
+    /// The change by which the file knows a name of a module, written as `std.curves` or in quotes: where, and the text that
+    /// is put there.
+    pub fn to_import(&self, module: &str, name: &str) -> (u32, String) {
+        let uses = self.items.iter().filter_map(|item| match &item.kind {
+            ItemKind::Use(import) => Some((item, import)),
+            _ => None,
+        });
+        let mut last = None;
+        for (item, import) in uses {
+            if let Some(end) = import.names.last()
+                && import.module.written() == module
+            {
+                return (end.span.end, format!(", {name}"));
+            }
+            last = Some(item.span.end);
+        }
+        match last {
+            Some(end) => (end, format!("\nuse {module} ({name})")),
+            None => (self.first.start, format!("use {module} ({name})\n\n")),
+        }
+    }
 }
 
 /// A name and where it stands.
@@ -85,6 +111,16 @@ pub enum ModulePath {
 }
 
 impl ModulePath {
+    /// As it is written: `std.curves`, `"./ribs.ifs"`.
+    pub fn written(&self) -> String {
+        match self {
+            ModulePath::Library(names) => {
+                names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>().join(".")
+            }
+            ModulePath::File(path) => format!("\"{}\"", path.value),
+        }
+    }
+
     /// Where the path stands.
     pub fn span(&self) -> Span {
         match self {

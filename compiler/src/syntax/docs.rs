@@ -10,6 +10,10 @@ use std::collections::BTreeMap;
 
 /// Puts the doc comments of `tokens` on the nodes that they stand before.
 pub(super) fn attach(source: &Source, tokens: &[Token], file: &mut File, said: &mut Said) {
+    let before = |kind| matches!(kind, TokenKind::Whitespace | TokenKind::Comment | TokenKind::FileDocs);
+    let first = tokens.iter().find(|token| !before(token.kind));
+    let start = first.map_or(source.text.len() as u32, |token| token.span.start);
+    file.first = Span::new(source.id, start, start);
     let mut docs = collect(source, tokens, file, said);
     if docs.is_empty() {
         return;

@@ -52,7 +52,7 @@ fn counted(source: &Source) -> (Parse, usize) {
     let mut lexemes = repair::balance(lexemes, &mut said);
     lexeme::assign_roles(&mut lexemes);
     let items = parser::parse_items(&lexemes, repair::items(&lexemes), &mut said);
-    let mut ast = ast::File { docs: Vec::new(), items };
+    let mut ast = ast::File { items, ..Default::default() };
     docs::attach(source, &lexed.tokens, &mut ast, &mut said);
     let steps = said.steps;
     let mut diagnostics = Diagnostics::default();

@@ -161,9 +161,17 @@ const fn row(
     Row { code, text, title, before, after }
 }
 
+/// Edges of 1 m, 500 mm, 250 mm, and so on.
+const STEEP: &str =
+    "use std.curves (line)\nfigure f = line on ((0m, 0m), (1m, 0m)) until edge in 300mm .. 400mm\n";
+
 const LINE: &str = "figure f = c on ((0m, 0m), (1m, 1m)) at level 3\n";
 
 const ROWS: &[Row] = &[
+    row("E0408", "let w = [1m, 2m]\nlet a = w (1)\n", "pick an element with `[…]`", "w (1)", "w[1]"),
+    row("E0602", "let w = [1m, 2m]\nlet a = w[0..7]\n", "take 0..2, to the end of the list", "0..7", "0..2"),
+    row("E0552", STEEP, "begin at 250mm, which level 2 meets", "in 300mm", "in 250mm"),
+    row("E0552", STEEP, "end at 500mm, which level 1 meets", "400mm", "500mm"),
     row("E0102", "let a = 3;\n", "remove `;`", ";", ""),
     row("E0103", "param wood: Text = \"spruce\n", "insert `\"`", "spruce", "spruce\""),
     row("E0105", "let a = 12mn\n", "replace `mn` with `mm`", "mn", "mm"),
@@ -246,9 +254,24 @@ const ROWS: &[Row] = &[
     row(
         "W0308",
         "figure r = bezier2 on ((0m, 0m), (0m, 1m), (1m, 1m)) at level 2\n",
-        "insert `use std.curves (bezier2)`",
+        "add `use std.curves (bezier2)`",
         "figure",
-        "use std.curves (bezier2)\nfigure",
+        "use std.curves (bezier2)\n\nfigure",
+    ),
+    // Before what documents the first item, and beside what is imported of the module.
+    row(
+        "W0308",
+        "/// A rail.\nfigure r = bezier2 on ((0m, 0m), (0m, 1m), (1m, 1m)) at level 2\n",
+        "add `use std.curves (bezier2)`",
+        "///",
+        "use std.curves (bezier2)\n\n///",
+    ),
+    row(
+        "W0308",
+        "use std.curves (line)\nfigure r = bezier2 on ((0m, 0m), (0m, 1m), (1m, 1m)) at level 2\nlet l = line\n",
+        "add `use std.curves (bezier2)`",
+        "(line)",
+        "(line, bezier2)",
     ),
     row("E0401", "let a: Length = 27\n", "replace `27` with `27mm`", "27", "27mm"),
     row("E0401", "let a: Length = 27\n", "replace `27` with `27cm`", "27", "27cm"),

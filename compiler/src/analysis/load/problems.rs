@@ -19,17 +19,29 @@ pub(super) fn unreadable(written: &TextLiteral, path: &str, error: &ReadError, e
     let message = format!("`{path}` cannot be read: {}", why(error));
     let diagnostic = Diagnostic::new(Code::E0306, written.span, message);
     match error {
-        ReadError::NotFound => {
-            let diagnostic = diagnostic.label("no such file");
-            if path.ends_with(&format!(".{ending}")) {
-                diagnostic.hint("is the path right? It starts at the file in which it stands")
-            } else {
-                diagnostic.hint(format!("the name of a file has its ending: `{}.{ending}`", written.value))
-            }
-        }
+        ReadError::NotFound => diagnostic.label("no such file").hint(where_to_look(&written.value, ending)),
         ReadError::OutsideRoot => diagnostic.label("outside of the project").hint(INSIDE),
         ReadError::Other(_) => diagnostic.label("cannot be read"),
     }
+}
+
+/// What helps where there is no file at a path whose ending should be this one.
+fn where_to_look(path: &str, ending: &str) -> String {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    match (name.rsplit_once('.').map(|(_, is)| is), ending) {
+        (Some(is), _) if is == ending => {
+            "is the path right? It starts at the file in which it stands".to_owned()
+        }
+        (Some("ifs"), "glb") => used_not_imported(path),
+        (Some("glb"), "ifs") => format!("a mesh is imported as a germ: `germ import(\"{path}\")`"),
+        (Some(is), "glb") => format!("meshes are read as glTF binary, `.glb`, not `.{is}`"),
+        (Some(is), _) => format!("designs have the ending `.{ending}`, not `.{is}`"),
+        (None, _) => format!("the name of a file has its ending: `{path}.{ending}`"),
+    }
+}
+
+fn used_not_imported(path: &str) -> String {
+    format!("a design is no mesh: take an ifs of it with `use \"{path}\" (…)`")
 }
 
 const INSIDE: &str = "move the file into the project's folder; a project is the folder of the nearest `ifs.toml`, \
@@ -108,5 +120,9 @@ pub(super) fn no_mesh(written: &TextLiteral, path: &str, fault: &Fault) -> Diagn
         FaultKind::TooLarge => (Code::E0558, "too large"),
     };
     let message = format!("`{path}` at {}: {}", fault.place, fault.what);
-    Diagnostic::new(code, written.span, message).label(label).hint(fault.mend)
+    let diagnostic = Diagnostic::new(code, written.span, message).label(label);
+    if path.ends_with(".ifs") {
+        return diagnostic.hint(used_not_imported(&written.value));
+    }
+    diagnostic.hint(fault.mend)
 }

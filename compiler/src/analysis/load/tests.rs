@@ -1,7 +1,9 @@
 //! Loading: which files a design is made of, and what is said of those it cannot be made of.
 
 use super::{MOST_BYTES, MOST_FILES, load};
+use crate::analysis::read;
 use crate::diagnostic::Code;
+use crate::hir::evaluate::Overrides;
 use crate::source::{Files, MemoryFiles, ReadError};
 use std::cell::RefCell;
 
@@ -54,6 +56,31 @@ fn every_circle_is_said_once_with_its_way() {
         ["files use each other in a circle: `b.ifs` → `c.ifs` → `b.ifs`", "`a.ifs` uses itself"]
     );
     assert!(said.iter().all(|(code, _)| *code == Code::E0311));
+}
+
+#[test]
+fn a_file_of_another_kind_is_told_as_that() {
+    for (line, hint) in [
+        ("use \"c.glb\" (x)", "a mesh is imported as a germ: `germ import(\"c.glb\")`"),
+        ("use \"c.scad\" (x)", "designs have the ending `.ifs`, not `.scad`"),
+        ("use \"./c\" (x)", "the name of a file has its ending: `./c.ifs`"),
+        ("import(\"c.ifs\")", "a design is no mesh: take an ifs of it with `use \"c.ifs\" (…)`"),
+        ("import(\"b.ifs\")", "a design is no mesh: take an ifs of it with `use \"b.ifs\" (…)`"),
+        ("import(\"c.obj\")", "meshes are read as glTF binary, `.glb`, not `.obj`"),
+    ] {
+        let text = match line.starts_with("import") {
+            true => {
+                format!("ifs joint in space {{\n    transform a = scale(1/2) * self\n    germ {line}\n}}")
+            }
+            false => line.to_owned(),
+        };
+        let files = MemoryFiles::single("a.ifs", &text).with("b.ifs", "pub let x = 1m");
+        let mut found = read(&files, "a.ifs", &Overrides::default()).diagnostics;
+        found.retain(|found| matches!(found.code, Code::E0306 | Code::E0556));
+        let hints: Vec<&str> =
+            found.iter().flat_map(|found| &found.hints).map(|hint| hint.text.as_str()).collect();
+        assert_eq!(hints, [hint], "{line}");
+    }
 }
 
 #[test]

@@ -38,16 +38,15 @@ impl Checker<'_> {
                 return error_expr(span);
             }
             let message = format!("{} cannot be called", self.described(&callee.ty));
-            let factor = callee.ty.dimension().is_some() && arguments.len() == 1;
-            return self.not_callable(message, callee.span, None, factor, span);
+            return self.not_callable(message, (&callee.ty, callee.span), None, arguments, span);
         };
         if name == "self" {
             return self.self_with_arguments(frame, callee, arguments, span);
         }
         if let Some(local) = frame.locals.iter().rev().find(|local| local.name == *name) {
             let message = format!("`{name}` is no function: it is {}", self.described(&local.ty));
-            let (declared, factor) = (local.span, local.ty.dimension().is_some() && arguments.len() == 1);
-            return self.not_callable(message, callee.span, Some(declared), factor, span);
+            let (ty, declared) = (local.ty.clone(), local.span);
+            return self.not_callable(message, (&ty, callee.span), Some(declared), arguments, span);
         }
         match self.symbol(frame.module, name, callee.span) {
             Some(Symbol::Native(native)) => self.native(frame, native, arguments, callee.span, span),
@@ -64,22 +63,26 @@ impl Checker<'_> {
         }
     }
 
-    /// `factor` says that what stands before the brackets is a number, which they may have been meant to multiply.
+    /// What stands before the brackets, of this type, is no function: they may have been meant to multiply it or to pick
+    /// one of its elements.
     fn not_callable(
         &mut self,
         message: String,
-        at: Span,
+        (ty, at): (&Type, Span),
         declared: Option<Span>,
-        factor: bool,
+        arguments: &[ast::Argument],
         span: Span,
     ) -> Expr {
         let mut diagnostic = Diagnostic::new(Code::E0408, at, message).label("not a function");
         if let Some(declared) = declared {
             diagnostic = diagnostic.also(declared, "declared here");
         }
-        let product = factor.then(|| Fix::titled("multiply with `*`").with(at.after(), " * "));
         let hint = "a product is written with `*`, an element of a list is picked with `[…]`";
-        self.report(diagnostic.ways(hint, product.into_iter().collect()));
+        let meant = match arguments {
+            [ast::Argument { name: None, value }] => meant(ty, at, value.span, span),
+            _ => None,
+        };
+        self.report(diagnostic.ways(hint, meant.into_iter().collect()));
         error_expr(span)
     }
 
@@ -122,7 +125,7 @@ impl Checker<'_> {
             let ty = self.types.get(&id).cloned().unwrap_or(Type::Error);
             let message = format!("`{name}` is no function: it is {}", self.described(&ty));
             let declared = self.items[id.0 as usize].name_span;
-            return self.not_callable(message, at, Some(declared), false, span);
+            return self.not_callable(message, (&ty, at), Some(declared), arguments, span);
         }
         let bound = self.bind_item(frame, id, &name, arguments, at, span);
         let Some(values) = bound else { return error_expr(span) };
@@ -281,6 +284,18 @@ impl Checker<'_> {
             return error_expr(span);
         };
         Expr { kind: ExprKind::Coordinate(Box::new(base), index), ty: Type::LENGTH, span }
+    }
+}
+
+/// What one value in round brackets behind a value of some type may have been meant to be.
+fn meant(ty: &Type, at: Span, inner: Span, span: Span) -> Option<Fix> {
+    match ty {
+        Type::List(_) => {
+            let open = Span::new(at.file, at.end, inner.start);
+            let close = Span::new(at.file, inner.end, span.end);
+            Some(Fix::titled("pick an element with `[…]`").with(open, "[").with(close, "]"))
+        }
+        _ => ty.dimension().map(|_| Fix::titled("multiply with `*`").with(at.after(), " * ")),
     }
 }
 

@@ -108,7 +108,15 @@ impl Checker<'_> {
         span: Span,
     ) -> Expr {
         let base = self.expr(frame, base, None);
+        let written = indices;
         let indices: Vec<Expr> = indices.iter().map(|index| self.expr(frame, index, None)).collect();
+        if let ([ast::Expr { kind: ast::ExprKind::Name(_), .. }], [index], Type::List(element)) =
+            (written, indices.as_slice(), &base.ty)
+            && index.ty == Type::Error
+        {
+            // Which element is not known, but what kind of thing it is: `points[k]` may stand before its `for k in …`.
+            return Expr { kind: ExprKind::Error, ty: (**element).clone(), span };
+        }
         if base.ty == Type::Error || indices.iter().any(|index| index.ty == Type::Error) {
             return error_expr(span);
         }

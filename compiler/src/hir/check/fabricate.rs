@@ -147,7 +147,7 @@ impl Checker<'_> {
             let value = match setting.name {
                 "material" => {
                     let known = self.modules[0].imports.contains_key(material);
-                    import = (!known).then(|| self.import_place(0)).flatten();
+                    import = (!known).then(|| self.to_import(0, "std.materials", material));
                     call.to_owned()
                 }
                 "section" => "120mm by 40mm".to_owned(),
@@ -159,8 +159,8 @@ impl Checker<'_> {
             lines += &format!("{}: {value}\n    ", setting.name);
         }
         let mut fix = Fix::titled(format!("add {} to begin with", names.join(" and ")));
-        if let Some(at) = import {
-            fix = fix.with(at, format!("use std.materials ({material})\n"));
+        if let Some((at, text)) = import {
+            fix = fix.with(at, text);
         }
         Some(fix.with(Span::new(first.file, first.start, first.start), lines))
     }

@@ -2,7 +2,7 @@
 
 use super::scope::Symbol;
 use super::{Checker, Frame, error_expr};
-use crate::diagnostic::{Code, Diagnostic, closest};
+use crate::diagnostic::{Code, Diagnostic, Fix, closest};
 use crate::hir::index::Target;
 use crate::hir::tree::{Expr, ExprKind, ItemId, ItemKind};
 use crate::hir::types::Type;
@@ -43,19 +43,17 @@ impl Checker<'_> {
             let diagnostic =
                 Diagnostic::new(Code::W0308, span, message).label(format!("found in `std.{owner}`"));
             let hint = format!("add `use std.{owner} ({name})`");
-            let diagnostic = match self.import_place(module) {
-                Some(at) => diagnostic.fix(hint, at, format!("use std.{owner} ({name})\n")),
-                None => diagnostic.hint(hint),
-            };
-            self.report(diagnostic);
+            let (at, text) = self.to_import(module, &format!("std.{owner}"), name);
+            let import = Fix::titled(hint.clone()).with(at, text);
+            self.report(diagnostic.ways(hint, vec![import]));
         }
         Some(symbol)
     }
 
-    /// Before the first item, unless comments that document it stand there.
-    pub(super) fn import_place(&self, module: usize) -> Option<Span> {
-        let bare = self.modules[module].ast.items.iter().find(|item| item.docs.is_empty())?;
-        Some(Span::new(self.module_file(module), bare.span.start, bare.span.start))
+    /// The change by which a module knows a name of another.
+    pub(super) fn to_import(&self, module: usize, from: &str, name: &str) -> (Span, String) {
+        let (at, text) = self.modules[module].ast.to_import(from, name);
+        (Span::new(self.module_file(module), at, at), text)
     }
 
     pub(super) fn name(&mut self, frame: &Frame, name: &str, span: Span) -> Expr {

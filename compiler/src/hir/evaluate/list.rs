@@ -3,7 +3,7 @@
 use super::{Evaluator, Frame, Outcome, Stop};
 use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::hir::scalar::Scalar;
-use crate::hir::tree::{Arithmetic, Clause, Expr, is_literal};
+use crate::hir::tree::{Arithmetic, Clause, Expr, ExprKind, is_literal};
 use crate::hir::value::{Combination, Value};
 use crate::source::Span;
 use std::sync::Arc;
@@ -114,7 +114,9 @@ impl Evaluator<'_> {
             let message = format!("there is no part {from}..{to} of a list of {}", elements.len());
             let diagnostic =
                 Diagnostic::new(Code::E0602, first.span, message).label(format!("is {from}..{to}"));
-            return Err(self.report(diagnostic.hint(format!("parts lie within 0..{}", elements.len()))));
+            let whole = elements.len();
+            let ways = shorter(first, (from, to), whole).into_iter().collect();
+            return Err(self.report(diagnostic.ways(format!("parts lie within 0..{whole}"), ways)));
         };
         self.spend(part.len() as u64, first.span)?;
         let part: Outcome<Vec<Value>> = part.iter().map(|row| self.slice(frame, row.clone(), rest)).collect();
@@ -187,4 +189,14 @@ impl Evaluator<'_> {
         };
         Ok(Value::Text(text))
     }
+}
+
+/// A part that reaches to the end of a list of `whole` elements, in place of one that is written in numbers and goes beyond.
+fn shorter(range: &Expr, (from, to): (i64, i64), whole: usize) -> Option<Fix> {
+    let ExprKind::Range(first, last) = &range.kind else { return None };
+    let start = usize::try_from(from).ok().filter(|start| *start < whole)?;
+    let beyond = usize::try_from(to).is_ok_and(|end| end > whole);
+    let part = format!("{start}..{whole}");
+    (beyond && is_literal(first) && is_literal(last))
+        .then(|| Fix::titled(format!("take {part}, to the end of the list")).with(range.span, part))
 }

@@ -1,6 +1,7 @@
 //! What is proved of the states that figures stand on, said at the lines they come from: contraction and joins.
 
-use super::places::weights;
+use super::kind::{is_curve, keeping, no_curve, without_keep};
+use super::places::{gap_words, place_words, weights};
 use super::{FigureSource, Lowering};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::dimension::Dimension;
@@ -194,46 +195,33 @@ impl Lowering<'_, '_> {
         at: Span,
         why: &str,
     ) -> Diagnostic {
-        let name = &automaton.state(state).name;
+        let diagnostic = Diagnostic::new(Code::E0505, at, no_curve(automaton, state, verdict)).label(why);
         if let Some(keeping) = keeping(automaton, state) {
-            let keeping = &automaton.state(keeping).name;
-            let message = format!("`{name}` is no curve: `{keeping}` keeps what it draws on the way");
-            let diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
-            return diagnostic.hint(format!(
-                "leave `keep` out of `{keeping}`, or draw what it keeps by an ifs of its own"
-            ));
+            return without_keep(automaton, keeping, diagnostic);
         }
         if let Joins::NotSegments { state } = verdict {
-            let drawn = &automaton.state(*state).name;
-            let message = format!("`{name}` is no curve: `{drawn}` is not drawn as segments");
-            let diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
             return match self.germ_span(*state) {
                 Some(germ) => diagnostic.also(germ, "what is drawn of it"),
                 None => diagnostic,
             };
         }
         let Joins::Open(open) = verdict else {
-            let message = format!("the pieces of `{name}` could not be proved to meet");
-            return Diagnostic::new(Code::E0505, at, message)
-                .label(why)
-                .note("the proof takes too many steps");
+            return diagnostic.note("the proof takes too many steps");
         };
-        let transforms = &automaton.state(open.state).transforms;
-        let (left, right) = (&transforms[open.left].name, &transforms[open.right].name);
-        let message =
-            format!("the pieces of `{name}` do not meet: `{left}` does not end where `{right}` starts");
-        let mut diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
+        let parting = automaton.state(open.state);
+        let (left, right) = (&parting.transforms[open.left].name, &parting.transforms[open.right].name);
+        let mut diagnostic = diagnostic;
         if let (Some(first), Some(second)) =
             (self.transform_span(open.state, open.left), self.transform_span(open.state, open.right))
         {
-            let end = self.place_words(automaton, open.state, &open.left_weights);
-            let start = self.place_words(automaton, open.state, &open.right_weights);
+            let end = place_words(parting, &open.left_weights);
+            let start = place_words(parting, &open.right_weights);
             diagnostic =
                 diagnostic.also(first, format!("ends at {end}")).also(second, format!("starts at {start}"));
         }
-        let gap = self.gap_words(automaton, open.state, [&open.left_weights, &open.right_weights]);
+        let gap = gap_words(parting, [&open.left_weights, &open.right_weights]);
         diagnostic = diagnostic.note(format!("at level {} they are {gap} apart", open.level));
-        diagnostic.hint(match automaton.state(open.state).space {
+        diagnostic.hint(match parting.space {
             StateSpace::Control => {
                 format!("give the last image of `{left}` and the first image of `{right}` the same point")
             }
@@ -257,7 +245,7 @@ impl Lowering<'_, '_> {
         let mut diagnostic =
             Diagnostic::new(Code::E0506, at, message).label(format!("this {falls} falls into pieces"));
         if let Joins::Open(open) = verdict {
-            let mut names = self.point_names(state);
+            let mut names = automaton.state(state).point_names.clone();
             names.push("the next point".to_owned());
             let left = weights(&open.left_weights, &names);
             let right = weights(&open.right_weights, &names);
@@ -281,7 +269,7 @@ impl Lowering<'_, '_> {
             return;
         }
         let name = &automaton.state(state).name;
-        let gap = self.gap_words(automaton, widest.state, [&widest.left_weights, &widest.right_weights]);
+        let gap = gap_words(automaton.state(widest.state), [&widest.left_weights, &widest.right_weights]);
         let message = format!("the pieces of `{name}` meet only to within rounding, not exactly");
         let diagnostic = Diagnostic::new(Code::W0546, span, message)
             .label("taken as one curve")
@@ -290,24 +278,10 @@ impl Lowering<'_, '_> {
         self.diagnostics.push(diagnostic);
     }
 
-    pub(super) fn point_names(&self, state: StateId) -> Vec<String> {
-        self.states.body(state).map_or(Vec::new(), |body| body.points.clone())
-    }
-
     pub(super) fn state_span(&self, state: StateId) -> Span {
         let instance = self.states.instances.get(state.index());
         instance.map_or(Span::default(), |instance| self.hir.item(instance.ifs).name_span)
     }
-}
-
-/// Whether a state of these joins is a curve: what it keeps on the way would be more than one.
-fn is_curve(automaton: &Automaton, state: StateId, verdict: &Joins) -> bool {
-    verdict.hold() && keeping(automaton, state).is_none()
-}
-
-/// The first state a figure leads to that keeps something.
-fn keeping(automaton: &Automaton, state: StateId) -> Option<StateId> {
-    automaton.reachable(state).into_iter().find(|id| !automaton.state(*id).keep.is_empty())
 }
 
 /// Every state a figure stands on, with the first figure that does.

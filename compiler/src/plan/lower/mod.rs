@@ -3,6 +3,7 @@
 
 mod alone;
 mod joins;
+mod kind;
 mod patchwork;
 mod places;
 mod shapes;
@@ -24,6 +25,7 @@ use crate::source::Span;
 use states::States;
 
 pub use alone::alone;
+pub use kind::{FigureKind, figure_kind};
 
 /// Where a figure of the plan comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,6 +92,13 @@ pub fn lower<'h>(
     lowering.enter_stated();
     let lowered = lowering.plan(figures);
     (lowered, lowering.diagnostics)
+}
+
+/// E0707 of a figure, without the way out.
+pub(crate) fn out_of_reach(figure: &FigurePlan, at: Span) -> Diagnostic {
+    let reach = LARGEST_COORDINATE / 1e6;
+    let message = format!("`{figure}` reaches further than {reach} km from the origin");
+    Diagnostic::new(Code::E0707, at, message).label("too large")
 }
 
 struct Lowering<'a, 'h> {
@@ -197,11 +206,8 @@ impl Lowering<'_, '_> {
                 _ => None,
             };
             if extent.is_some_and(|extent| !extent.is_within(LARGEST_COORDINATE)) {
-                let reach = LARGEST_COORDINATE / 1e6;
-                let message = format!("`{figure}` reaches further than {reach} km from the origin");
-                let diagnostic = Diagnostic::new(Code::E0707, source.level_span, message);
                 let hint = "let the transforms make smaller copies, or take a lower level";
-                self.diagnostics.push(diagnostic.label("too large").hint(hint));
+                self.diagnostics.push(out_of_reach(figure, source.level_span).hint(hint));
                 good = false;
             }
             extents.push(extent);

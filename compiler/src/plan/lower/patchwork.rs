@@ -1,9 +1,11 @@
 //! Figures of polygons that share their edges: found, and reported where they must and do not.
 
+use super::kind::{keeping, keeps, no_surface, without_keep};
+use super::places::{gap_words, place_words};
 use super::{FigureSource, Lowering};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::schema::SchemaKind;
-use crate::ifs::{Automaton, GermShape, OpenEdge, PieceEdge, StateId, SurfaceJoins, surface_joins};
+use crate::ifs::{Automaton, GermShape, OpenEdge, StateId, SurfaceJoins, surface_joins};
 use crate::plan::figure::{FigurePlan, PatchworkPlan, Shape};
 use crate::source::Span;
 use std::collections::BTreeMap;
@@ -39,7 +41,8 @@ impl Lowering<'_, '_> {
                 needed.push((*state, block.figure_span, "panels need to know their neighbours".to_owned()));
             }
             let verdict = known.entry(*state).or_insert_with(|| surface_joins(automaton, *state));
-            if matches!(verdict, SurfaceJoins::Joined(_)) && only_quads(automaton, *state) {
+            let whole = only_quads(automaton, *state) && keeping(automaton, *state).is_none();
+            if whole && matches!(verdict, SurfaceJoins::Joined(_)) {
                 let (state, points, level, dimension) = (*state, points.clone(), *level, *dimension);
                 figure.shape = Shape::Patchwork(PatchworkPlan { state, points, level, dimension });
             }
@@ -67,56 +70,42 @@ impl Lowering<'_, '_> {
         at: Span,
         why: &str,
     ) -> Option<Diagnostic> {
-        let name = &automaton.state(state).name;
-        let refuse = |message: String| Diagnostic::new(Code::E0505, at, message).label(why);
-        match verdict {
-            SurfaceJoins::Joined(_) if only_quads(automaton, state) => None,
-            SurfaceJoins::Joined(_) => {
-                let message =
-                    format!("a surface of polygons other than quads, as `{name}` is, is not available yet");
-                Some(Diagnostic::new(Code::E0001, at, message).label(why).hint("draw it with quads"))
-            }
-            SurfaceJoins::Open(open) => Some(self.open_edge(automaton, name, open, at, why)),
-            SurfaceJoins::NotPolygons { state } => {
-                let drawn = &automaton.state(*state).name;
-                Some(refuse(format!("`{name}` is no surface: `{drawn}` is not drawn as a polygon")))
-            }
-            SurfaceJoins::Unproved { .. } => {
-                let message = format!("the pieces of `{name}` could not be proved to share their edges");
-                Some(
-                    refuse(message).note("the proof takes too many steps, or the polygon is never cut apart"),
-                )
-            }
+        if let Some(keeping) = keeping(automaton, state) {
+            return Some(without_keep(
+                automaton,
+                keeping,
+                Diagnostic::new(Code::E0505, at, keeps(automaton, state, keeping, "surface")).label(why),
+            ));
         }
+        let Some(message) = no_surface(automaton, state, verdict) else {
+            if only_quads(automaton, state) {
+                return None;
+            }
+            let name = &automaton.state(state).name;
+            let message =
+                format!("a surface of polygons other than quads, as `{name}` is, is not available yet");
+            return Some(Diagnostic::new(Code::E0001, at, message).label(why).hint("draw it with quads"));
+        };
+        let diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
+        Some(match verdict {
+            SurfaceJoins::Open(open) => self.at_open_edge(automaton, open, diagnostic),
+            SurfaceJoins::Unproved { .. } => {
+                diagnostic.note("the proof takes too many steps, or the polygon is never cut apart")
+            }
+            SurfaceJoins::Joined(_) | SurfaceJoins::NotPolygons { .. } => diagnostic,
+        })
     }
 
-    fn open_edge(
-        &self,
-        automaton: &Automaton,
-        name: &str,
-        open: &OpenEdge,
-        at: Span,
-        why: &str,
-    ) -> Diagnostic {
-        let piece = |edge: &PieceEdge| {
-            let transform = &automaton.state(open.state).transforms[edge.transform];
-            let corners = automaton.state(transform.target).germ.vertices.len();
-            let edge = format!("{} to {}", edge.edge + 1, (edge.edge + 1) % corners + 1);
-            (transform.name.clone(), edge)
-        };
-        let ((left, left_edge), (right, right_edge)) = (piece(&open.left), piece(&open.right));
-        let message = format!(
-            "the pieces of `{name}` do not share their edges: `{left}`, corners {left_edge}, does not fit `{right}`, corners {right_edge}"
-        );
-        let gap = self.gap_words(automaton, open.state, [&open.left_weights, &open.right_weights]);
-        let mut diagnostic = Diagnostic::new(Code::E0505, at, message).label(why);
+    /// With where the corners lie that should be one.
+    fn at_open_edge(&self, automaton: &Automaton, open: &OpenEdge, mut diagnostic: Diagnostic) -> Diagnostic {
+        let parting = automaton.state(open.state);
         let sides = [(open.left.transform, &open.left_weights), (open.right.transform, &open.right_weights)];
         for (transform, row) in sides {
             if let Some(span) = self.transform_span(open.state, transform) {
-                let corner = self.place_words(automaton, open.state, row);
-                diagnostic = diagnostic.also(span, format!("has a corner at {corner}"));
+                diagnostic = diagnostic.also(span, format!("has a corner at {}", place_words(parting, row)));
             }
         }
+        let gap = gap_words(parting, [&open.left_weights, &open.right_weights]);
         diagnostic
             .note(format!("at level {} they are {gap} apart", open.level))
             .hint("give both pieces the same points along the edge; a `let` for a shared point makes sure")
@@ -127,11 +116,7 @@ fn draws_polygons(automaton: &Automaton, state: StateId) -> bool {
     automaton.state(state).germ.shape == GermShape::Polygon
 }
 
-/// Whether every piece is drawn as a quad, and nothing on the way.
+/// Whether every piece is drawn as a quad.
 fn only_quads(automaton: &Automaton, state: StateId) -> bool {
-    let quad = |id: &StateId| {
-        let state = automaton.state(*id);
-        state.germ.vertices.len() == 4 && state.keep.is_empty()
-    };
-    automaton.reachable(state).iter().all(quad)
+    automaton.reachable(state).iter().all(|id| automaton.state(*id).germ.vertices.len() == 4)
 }

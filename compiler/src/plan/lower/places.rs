@@ -1,39 +1,29 @@
 //! Places in words: weights on control points as they are, weights on the frame of plane or space as coordinates.
 
-use super::Lowering;
 use crate::exact::Rational;
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
-use crate::ifs::{Automaton, StateId, StateSpace};
+use crate::ifs::{State, StateSpace};
 
 /// Fractions written out up to this length; longer ones, which come of rounded numbers, as decimals.
 const LONGEST_FRACTION: usize = 12;
 
-impl Lowering<'_, '_> {
-    /// Where a point of these weights on the points of a state lies: `1/2 p0 + 1/2 p1`, or `(1000mm, 250mm)`.
-    pub(super) fn place_words(&self, automaton: &Automaton, state: StateId, row: &[Rational]) -> String {
-        match automaton.state(state).space {
-            StateSpace::Control => weights(row, &self.point_names(state)),
-            StateSpace::Plane | StateSpace::Space => {
-                format!("({})", coordinates(row).map(millimetres).collect::<Vec<_>>().join(", "))
-            }
+/// Where a point of these weights on the points of a state lies: `1/2 p0 + 1/2 p1`, or `(1000mm, 250mm)`.
+pub(super) fn place_words(state: &State, row: &[Rational]) -> String {
+    match state.space {
+        StateSpace::Control => weights(row, &state.point_names),
+        StateSpace::Plane | StateSpace::Space => {
+            format!("({})", coordinates(row).map(millimetres).collect::<Vec<_>>().join(", "))
         }
     }
+}
 
-    /// How far two places are from each other: `1/3 p0 - 1/3 p1`, or `333.333mm`.
-    pub(super) fn gap_words(
-        &self,
-        automaton: &Automaton,
-        state: StateId,
-        [left, right]: [&[Rational]; 2],
-    ) -> String {
-        let difference: Vec<Rational> = left.iter().zip(right).map(|(left, right)| left - right).collect();
-        match automaton.state(state).space {
-            StateSpace::Control => weights(&difference, &self.point_names(state)),
-            StateSpace::Plane | StateSpace::Space => {
-                millimetres(coordinates(&difference).fold(0.0, libm::hypot))
-            }
-        }
+/// How far two places are from each other: `1/3 p0 - 1/3 p1`, or `333.333mm`.
+pub(super) fn gap_words(state: &State, [left, right]: [&[Rational]; 2]) -> String {
+    let difference: Vec<Rational> = left.iter().zip(right).map(|(left, right)| left - right).collect();
+    match state.space {
+        StateSpace::Control => weights(&difference, &state.point_names),
+        StateSpace::Plane | StateSpace::Space => millimetres(coordinates(&difference).fold(0.0, libm::hypot)),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Boundaries and the joins that are stated of them: what their names stand for, and whether the joins hold.
 
 use super::Lowering;
-use crate::diagnostic::{Code, Diagnostic};
+use super::places::{gap_words, place_words};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::hir::evaluate::{InstanceBody, InstanceJoin, InstanceJoinPart};
 use crate::hir::tree::ItemKind;
 use crate::hir::value::{GermShape, Instance};
@@ -12,6 +13,9 @@ use crate::ifs::{
 use crate::source::Span;
 
 type Path = [InstanceJoinPart];
+
+/// The most pieces of which each is offered.
+const MOST_OFFERED: usize = 4;
 
 impl Lowering<'_, '_> {
     /// The joins of an ifs without parameters are proved even where no figure uses it.
@@ -147,9 +151,8 @@ impl Lowering<'_, '_> {
         let state = automaton.state(id);
         let (left, right) = (path_text(&join.left), path_text(&join.right));
         let rows = [(&left, &apart.left_weights), (&right, &apart.right_weights)];
-        let rows =
-            rows.map(|(name, row)| format!("`{name}` lies at {}", self.place_words(automaton, id, row)));
-        let gap = self.gap_words(automaton, id, [&apart.left_weights, &apart.right_weights]);
+        let rows = rows.map(|(name, row)| format!("`{name}` lies at {}", place_words(state, row)));
+        let gap = gap_words(state, [&apart.left_weights, &apart.right_weights]);
         let by = format!("at level {} they are {gap} apart", apart.level);
         let mut diagnostic = if is_rounding(automaton, id, &apart.left_weights, &apart.right_weights) {
             let message = format!(
@@ -214,9 +217,12 @@ fn transform(state: &State, part: &InstanceJoinPart, kind: &str) -> Result<usize
             format!("{gap}`{}[{member}]`", part.name)
         })
         .collect();
-    let refused = |code: Code, message: String, label: &str, hint: String| {
-        Err(Box::new(Diagnostic::new(code, part.span, message).label(label).hint(hint)))
+    let refused = |code: Code, message: String, label: &str, hint: String, instead: Vec<String>| {
+        let fixes = instead.into_iter().map(|name| Fix::replacing(part.span, name)).collect();
+        Err(Box::new(Diagnostic::new(code, part.span, message).label(label).ways(hint, fixes)))
     };
+    let indexed =
+        members.iter().take(MOST_OFFERED).map(|member| format!("{}[{member}]", part.name)).collect();
     let are = format!("there are {}", shown.join(", "));
     match part.member {
         _ if members.is_empty() && !state.transforms.iter().any(|transform| transform.name == part.name) => {
@@ -224,16 +230,16 @@ fn transform(state: &State, part: &InstanceJoinPart, kind: &str) -> Result<usize
         }
         Some(_) if members.is_empty() => {
             let message = format!("`{}` is one transform, not a family of them", part.name);
-            refused(Code::E0540, message, "has no members", format!("write `{}`", part.name))
+            refused(Code::E0540, message, "has no members", format!("write `{}`", part.name), Vec::new())
         }
         Some(_) => {
             let message = format!("the family `{}` of `{}` has no member `{part}`", part.name, state.name);
-            refused(Code::E0540, message, "not there", are)
+            refused(Code::E0540, message, "not there", are, Vec::new())
         }
         None => {
             let message =
                 format!("`{}` is a family of {} transforms: which one is meant?", part.name, members.len());
-            refused(Code::E0545, message, "more than one piece", are)
+            refused(Code::E0545, message, "more than one piece", are, indexed)
         }
     }
 }
@@ -253,11 +259,12 @@ fn several(name: &str, span: Span, target: &State) -> Diagnostic {
         "the boundary `{name}` has {} pieces after one step: which one is meant?",
         target.transforms.len()
     );
-    let names: Vec<String> =
-        target.transforms.iter().map(|transform| format!("`{name}.{}`", transform.name)).collect();
+    let names = || target.transforms.iter().map(|transform| format!("{name}.{}", transform.name));
+    let shown: Vec<String> = names().map(|name| format!("`{name}`")).collect();
+    let fixes = names().take(MOST_OFFERED).map(|name| Fix::replacing(span, name)).collect();
     Diagnostic::new(Code::E0545, span, message)
         .label("more than one piece")
-        .hint(format!("name one: {}", names.join(", ")))
+        .ways(format!("name one: {}", shown.join(", ")), fixes)
 }
 
 fn unlike(state: &State, join: &InstanceJoin, level: u32) -> Diagnostic {

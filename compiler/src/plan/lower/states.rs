@@ -23,11 +23,6 @@ pub(super) struct States {
 }
 
 impl States {
-    /// What the ifs of a state comes to.
-    pub(super) fn body(&self, state: StateId) -> Option<&InstanceBody> {
-        self.bodies.get(state.index())?.as_ref()
-    }
-
     /// The state of an ifs with its arguments, where it was met.
     pub(super) fn find(&self, instance: &Instance) -> Option<StateId> {
         let of_ifs = self.of_ifs.get(&instance.ifs)?;
@@ -105,6 +100,7 @@ impl Lowering<'_, '_> {
             let name = instance_name(self.hir, instance);
             let transforms = transforms.collect::<Option<Vec<Transform>>>()?;
             let mut state = State::new(name, body.points.len(), transforms, germ(&body.germ)?);
+            state.point_names.clone_from(&body.points);
             state.space = match body.space {
                 PointSpace::Plane => StateSpace::Plane,
                 PointSpace::Space => StateSpace::Space,

@@ -1,15 +1,16 @@
 //! Levels found by size, with a diagnostic at the line of those that cannot be.
 
 use super::{FigureSource, Lowering};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Fix};
 use crate::hir::dimension::Dimension;
 use crate::hir::evaluate::quantity_words;
 use crate::hir::size::{SizeBound, Until};
-use crate::ifs::{Automaton, Count, Word, count, size_bound};
+use crate::ifs::{Automaton, Count, GermShape, StateId, Word, count, size_bound};
 use crate::plan::budget::MAX_LEVEL;
 use crate::plan::evaluate::{EachError, PiecesEvaluator};
 use crate::plan::figure::{Depth, Each, FigurePlan, Shape};
 use crate::plan::until::{Sized, UntilError, set_level, smallest_level};
+use crate::source::Span;
 
 /// Letters of a branch that are said.
 const LETTERS_SAID: usize = 6;
@@ -156,7 +157,11 @@ impl Lowering<'_, '_> {
                 if let Some(germ) = state.and_then(|state| self.germ_span(state)) {
                     diagnostic = diagnostic.also(germ, "what is drawn");
                 }
-                diagnostic.hint("points have no size, and only segments and struts a `length`: use `edge` or `size`, or give the level as a number")
+                let word = Span::new(at.file, at.start, at.start + measure.len() as u32);
+                let edge = (measure == "length" && state.is_none_or(|state| has_edges(automaton, state)))
+                    .then(|| Fix::replacing(word, "edge"));
+                let hint = "points have no size, and only segments and struts a `length`: use `edge` or `size`, or give the level as a number";
+                diagnostic.ways(hint, edge.into_iter().collect())
             }
             UntilError::NotReached { last } => {
                 let most = self.evaluator.limits().elements;
@@ -190,10 +195,40 @@ impl Lowering<'_, '_> {
                     ),
                     None => format!("a range that level 0 meets starts at {}", length(found.sizes.least)),
                 };
-                diagnostic.note(gives(measure, found)).hint(hint)
+                diagnostic.note(gives(measure, found)).ways(hint, ranges(until, at, before.as_ref(), found))
             }
         })
     }
+}
+
+fn has_edges(automaton: &Automaton, state: StateId) -> bool {
+    automaton.state(state).germ.shape == GermShape::Polygon
+}
+
+/// Ranges that a level meets, in place of one that none does: a lower start for the level that is small enough, a higher end
+/// for the level before it.
+fn ranges(until: &Until, at: Span, before: Option<&Sized>, found: &Sized) -> Vec<Fix> {
+    let (measure, most) = (until.bound.measure.word(), until.bound.most);
+    let Some(least) = until.least else { return Vec::new() };
+    let mut fixes = Vec::new();
+    let low = whole(found.sizes.least, f64::floor);
+    if low > 0.0 {
+        let title = format!("begin at {}, which level {} meets", length(low), found.level);
+        fixes.push(Fix::titled(title).with(at, format!("{measure} in {} .. {}", length(low), length(most))));
+    }
+    if let Some(before) = before.filter(|before| before.sizes.least >= least) {
+        let high = whole(before.sizes.most, f64::ceil);
+        let title = format!("end at {}, which level {} meets", length(high), before.level);
+        fixes
+            .push(Fix::titled(title).with(at, format!("{measure} in {} .. {}", length(least), length(high))));
+    }
+    fixes
+}
+
+/// A length rounded to millimetres, a short one to thousandths of them.
+fn whole(millimetres: f64, round: fn(f64) -> f64) -> f64 {
+    let parts = if millimetres >= 10.0 { 1.0 } else { 1000.0 };
+    round(millimetres * parts) / parts
 }
 
 /// What the proof of contraction promises, without evaluating anything: from which level on every element is small enough.
