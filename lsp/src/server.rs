@@ -6,6 +6,7 @@ mod answers;
 mod completions;
 mod diagnostics;
 mod hierarchy;
+mod judged;
 mod neighbours;
 mod patience;
 mod progress;
@@ -27,9 +28,10 @@ use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::*;
 use tower_lsp::{Client, LanguageServer};
 
-use crate::protocol::capabilities::capabilities;
+use crate::protocol::capabilities::{capabilities, watched_files};
 use crate::protocol::convert::from_position;
 use crate::protocol::errors::failed;
+use crate::protocol::plain::{in_one_row, plain_docs, plain_hover};
 use crate::protocol::uri::{path_of, path_on_disk};
 use crate::world::documents::Change;
 use crate::world::names::Names;
@@ -127,20 +129,10 @@ impl Backend {
 
     /// Asks the client to say when designs change on disk.
     fn watch(&self) {
-        let watchers = ["**/*.ifs", "**/ifs.toml"]
-            .map(|glob| FileSystemWatcher { glob_pattern: GlobPattern::String(glob.to_owned()), kind: None });
-        let watch = Registration {
-            id: "watched".to_owned(),
-            method: "workspace/didChangeWatchedFiles".to_owned(),
-            register_options: serde_json::to_value(DidChangeWatchedFilesRegistrationOptions {
-                watchers: watchers.to_vec(),
-            })
-            .ok(),
-        };
         let client = self.client.clone();
         // A client that refuses has its reasons; files are read anew when documents are opened.
         tokio::spawn(async move {
-            let _ = client.register_capability(vec![watch]).await;
+            let _ = client.register_capability(vec![watched_files()]).await;
         });
     }
 }
@@ -263,9 +255,16 @@ impl LanguageServer for Backend {
     }
 
     async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
-        let (known, related) = (params.previous_result_id, self.told().takes_related);
-        let read = move |snapshot: &Snapshot| diagnostics::pulled(snapshot, known.as_deref(), related);
-        let report = self.ask(&params.text_document.uri, read).await.map_err(pull_again)?;
+        let (known, told) = (params.previous_result_id, self.told());
+        let (reply, answer) = oneshot::channel();
+        self.tell(Message::AskWrong { path: path_of(&self.names, &params.text_document.uri), reply });
+        let answer = answer.await.unwrap_or(Err(Refusal::Failed));
+        let (snapshot, wrong) = answer.map_err(refused).map_err(pull_again)?;
+        let pull = move || {
+            let report = diagnostics::pulled(&snapshot, &wrong, known.as_deref(), told);
+            if snapshot.is_stale() { Err(refused(Refusal::Outdated)) } else { Ok(report) }
+        };
+        let report = beside(pull).await?.map_err(pull_again)?;
         Ok(DocumentDiagnosticReportResult::Report(report))
     }
 
@@ -273,32 +272,25 @@ impl LanguageServer for Backend {
         &self,
         params: WorkspaceDiagnosticParams,
     ) -> Result<WorkspaceDiagnosticReportResult> {
-        let (reply, moment) = oneshot::channel();
-        self.tell(Message::AskMoment(reply));
-        let moment = moment.await.map_err(|_| failed())?;
-        let mut open = Vec::new();
-        for path in moment.open.keys() {
-            // One that was closed meanwhile, or failed, is left out.
-            open.extend(self.snapshot(path.clone()).await.ok());
-        }
+        let (reply, answer) = oneshot::channel();
+        self.tell(Message::AskAllWrong(reply));
+        let (moment, wrong) = answer.await.map_err(|_| failed())?;
         let known = params.previous_result_ids.into_iter();
         let known: BTreeMap<String, String> =
             known.map(|known| (known.uri.as_str().to_owned(), known.value)).collect();
         let (workspace, projects, names) =
             (self.workspace.clone(), Arc::clone(&self.projects), self.names.clone());
-        let folders = self.folders().clone();
-        let items = beside(move || {
-            let mut items: Vec<_> =
-                open.iter().filter_map(|snapshot| diagnostics::open_report(snapshot, &known)).collect();
-            items.extend(workspace.pulled(&projects, &names, &folders, &moment, &known));
-            items
-        });
+        let (folders, told) = (self.folders().clone(), self.told());
+        let items =
+            beside(move || workspace.pulled(&projects, &names, &folders, (&moment, &wrong), &known, told));
         Ok(WorkspaceDiagnosticReportResult::Report(WorkspaceDiagnosticReport { items: items.await? }))
     }
 
     async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {
         let at = params.text_document_position_params;
-        self.ask(&at.text_document.uri, move |snapshot| answers::hover(snapshot, at.position)).await
+        let hover =
+            self.ask(&at.text_document.uri, move |snapshot| answers::hover(snapshot, at.position)).await?;
+        Ok(if self.told().plain.hover { hover.map(plain_hover) } else { hover })
     }
 
     async fn goto_definition(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
@@ -333,7 +325,12 @@ impl LanguageServer for Backend {
     }
 
     async fn document_symbol(&self, params: DocumentSymbolParams) -> Result<Option<DocumentSymbolResponse>> {
-        self.ask(&params.text_document.uri, |snapshot| Some(answers::symbols(snapshot))).await
+        let uri = params.text_document.uri;
+        let found = self.ask(&uri, answers::symbols).await?;
+        Ok(Some(match self.told().plain.symbols {
+            true => DocumentSymbolResponse::Flat(in_one_row(found, &uri)),
+            false => DocumentSymbolResponse::Nested(found),
+        }))
     }
 
     async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
@@ -349,16 +346,30 @@ impl LanguageServer for Backend {
     async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
         let (at, snippets) = (params.text_document_position, self.told().snippets);
         let read = move |snapshot: &Snapshot| completions::completion(snapshot, at.position, snippets);
-        self.ask(&at.text_document.uri, read).await
+        let mut found = self.ask(&at.text_document.uri, read).await?;
+        if let (true, Some(CompletionResponse::List(list))) = (self.told().plain.completion, &mut found) {
+            list.items.iter_mut().for_each(|item| plain_docs(&mut item.documentation));
+        }
+        Ok(found)
     }
 
     async fn completion_resolve(&self, item: CompletionItem) -> Result<CompletionItem> {
-        beside(move || completions::resolve(item)).await
+        let mut item = beside(move || completions::resolve(item)).await?;
+        if self.told().plain.completion {
+            plain_docs(&mut item.documentation);
+        }
+        Ok(item)
     }
 
     async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
         let at = params.text_document_position_params;
-        self.ask(&at.text_document.uri, move |snapshot| completions::signature(snapshot, at.position)).await
+        let read = move |snapshot: &Snapshot| completions::signature(snapshot, at.position);
+        let mut found = self.ask(&at.text_document.uri, read).await?;
+        if self.told().plain.signature {
+            let signatures = found.iter_mut().flat_map(|help| &mut help.signatures);
+            signatures.for_each(|signature| plain_docs(&mut signature.documentation));
+        }
+        Ok(found)
     }
 
     async fn semantic_tokens_full(

@@ -38,8 +38,8 @@ struct Disk {
 }
 
 impl Projects for Disk {
-    fn project(&self, path: &Path) -> Option<Served> {
-        let project = Project::silent(path)?;
+    fn project(&self, path: &Path, open: &dyn Fn(&Path) -> Option<String>) -> Option<Served> {
+        let project = Project::silent(path, open)?;
         let overrides = project.overrides(&[]);
         Some(Served {
             root: project.disk.root.clone(),

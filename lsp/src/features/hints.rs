@@ -33,11 +33,19 @@ pub(crate) struct Hint {
     pub(crate) insert: Option<String>,
 }
 
-/// The hints of a part of a file; `made` is the design worked out as it is now.
+/// A design as it was worked out last, maybe before the text changed.
+#[derive(Clone, Copy)]
+pub(crate) struct Facts<'a> {
+    pub(crate) made: &'a Analysis,
+    /// Where what stood at a place then stands now.
+    pub(crate) now: &'a dyn Fn(Span) -> Option<Span>,
+}
+
+/// The hints of a part of a file.
 pub(crate) fn hints(
     analysis: &Analysis,
     overrides: &Overrides,
-    made: Option<&Analysis>,
+    facts: Option<Facts<'_>>,
     part: Span,
 ) -> Vec<Hint> {
     let Some(parsed) = analysis.files.iter().find(|parsed| parsed.file == part.file) else {
@@ -46,11 +54,11 @@ pub(crate) fn hints(
     let tree = &parsed.parse.ast;
     let mut hints = types(analysis, overrides, tree, part);
     hints.extend(arguments(analysis, tree));
-    if let Some(made) = made {
-        hints.extend(counts(made, tree));
-        hints.extend(blocks(made, tree));
-        hints.extend(levels(made, part.file));
-        hints.extend(measured(made, part.file));
+    if let Some(facts) = facts {
+        hints.extend(counts(facts.made, tree));
+        hints.extend(blocks(facts.made, tree));
+        hints.extend(levels(facts, part.file));
+        hints.extend(measured(facts, part.file));
     }
     hints.retain(|hint| part.start <= hint.at && hint.at <= part.end);
     hints.sort_by_key(|hint| hint.at);
@@ -212,17 +220,15 @@ fn blocks(made: &Analysis, tree: &ast::File) -> Vec<Hint> {
 }
 
 /// The levels that were found by size.
-fn levels(made: &Analysis, file: FileId) -> Vec<Hint> {
-    let Some(lowered) = &made.plan else { return Vec::new() };
+fn levels(facts: Facts<'_>, file: FileId) -> Vec<Hint> {
+    let Some(lowered) = &facts.made.plan else { return Vec::new() };
     let found =
         lowered.plan.figures().iter().zip(&lowered.sources).filter(|(_, source)| source.until.is_some());
     let mut hints: Vec<Hint> = Vec::new();
     for (figure, source) in found.filter(|(_, source)| source.level_span.file == file) {
         let words = figure.shape.level_words();
-        if words.is_empty() {
-            continue;
-        }
-        let (at, text) = (source.level_span.end, format!("level {words}"));
+        let Some(now) = (facts.now)(source.level_span).filter(|_| !words.is_empty()) else { continue };
+        let (at, text) = (now.end, format!("level {words}"));
         match hints.iter_mut().find(|hint| hint.at == at) {
             // Figures of a list may have found several.
             Some(hint) if hint.text != text => hint.text = "several levels".to_owned(),
@@ -234,8 +240,8 @@ fn levels(made: &Analysis, file: FileId) -> Vec<Hint> {
 }
 
 /// What was measured for each requirement: the value that is nearest to its limit, or beyond it.
-fn measured(made: &Analysis, file: FileId) -> Vec<Hint> {
-    let all = made.fabrications.iter().flat_map(|fabrication| &fabrication.requirements);
+fn measured(facts: Facts<'_>, file: FileId) -> Vec<Hint> {
+    let all = facts.made.fabrications.iter().flat_map(|fabrication| &fabrication.requirements);
     let own = all.filter(|requirement| requirement.span.file == file);
     let hints = own.filter_map(|requirement| {
         let (least, most) = requirement.result.extremes?;
@@ -245,7 +251,8 @@ fn measured(made: &Analysis, file: FileId) -> Vec<Hint> {
             _ if words(least) == words(most) => words(least),
             _ => format!("{} .. {}", words(least), words(most)),
         };
-        Some(Hint { at: requirement.span.end, text, kind: Kind::Fact, insert: None })
+        let now = (facts.now)(requirement.span)?;
+        Some(Hint { at: now.end, text, kind: Kind::Fact, insert: None })
     });
     hints.collect()
 }
@@ -263,7 +270,7 @@ mod tests {
         let all = hints(
             analysis,
             &Overrides::default(),
-            made.as_ref(),
+            made.as_ref().map(|made| Facts { made, now: &Some }),
             Span::new(analysis.root, 0, text.len() as u32),
         );
         let mut shown = text.clone();

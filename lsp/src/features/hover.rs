@@ -122,11 +122,19 @@ fn declared(analysis: &Analysis, known: WorkedOut<'_>, declaration: &Declaration
     })
 }
 
+/// The tree of a file of the project or of the library.
+fn tree(analysis: &Analysis, file: FileId) -> Option<Cow<'_, ast::File>> {
+    let own = analysis.files.iter().find(|project| project.file == file);
+    match own {
+        Some(project) => Some(Cow::Borrowed(&project.parse.ast)),
+        None => Some(Cow::Owned(parse(analysis.sources.get(file)?).ast)),
+    }
+}
+
 /// The member of an ifs whose name stands there, as it is written.
 fn member_of(analysis: &Analysis, name: Span) -> String {
     let Some(source) = analysis.sources.get(name.file) else { return String::new() };
-    let own = analysis.files.iter().find(|file| file.file == name.file);
-    let tree = own.map_or_else(|| Cow::Owned(parse(source).ast), |file| Cow::Borrowed(&file.parse.ast));
+    let Some(tree) = tree(analysis, name.file) else { return String::new() };
     let around = |span: Span| span.start <= name.start && name.end <= span.end;
     let member = tree.items.iter().filter(|item| around(item.span)).find_map(|item| match &item.kind {
         ast::ItemKind::Ifs(ifs) => ifs.members.iter().map(|member| member.span).find(|span| around(*span)),
@@ -168,9 +176,9 @@ fn ast_item(analysis: &Analysis, declaration: &Declaration) -> Option<ItemDocs> 
 }
 
 fn field_docs(analysis: &Analysis, span: Span, place: usize) -> Option<String> {
-    let file = analysis.files.iter().find(|file| file.file == span.file)?;
     let here = |item: &&ast::Item| item.span.start <= span.start && span.end <= item.span.end;
-    let fields = match &file.parse.ast.items.iter().find(here)?.kind {
+    let tree = tree(analysis, span.file)?;
+    let fields = match &tree.items.iter().find(here)?.kind {
         ast::ItemKind::Function(function) => &function.parameters,
         ast::ItemKind::Record(record) => &record.fields,
         ast::ItemKind::Ifs(ifs) => &ifs.parameters,

@@ -5,6 +5,7 @@ use ifs_compiler::fabricate::panel::PanelRefusal;
 use ifs_compiler::fabricate::plank::PlankRefusal;
 use ifs_compiler::geometry::{MeshSummary, QuadMesh};
 use ifs_compiler::hir::schema::Measure;
+use ifs_compiler::plan::{FigurePlan, Shape};
 use ifs_compiler::source::{FileId, Span};
 use ifs_compiler::syntax::ast;
 
@@ -28,7 +29,7 @@ pub(crate) struct Lens {
     pub(crate) shows: Shows,
 }
 
-/// The lenses of a file; `made` is the design worked out as it is now. What is done with the whole design stands above its
+/// The lenses of a file; `made` is the design as it was worked out last. What is done with the whole design stands above its
 /// first fabricate block.
 pub(crate) fn lenses(analysis: &Analysis, made: Option<&Analysis>, file: FileId) -> Vec<Lens> {
     let Some(parsed) = analysis.files.iter().find(|parsed| parsed.file == file) else { return Vec::new() };
@@ -70,7 +71,13 @@ pub(super) fn counted(made: &Analysis, name: &str) -> Option<String> {
         1 => String::new(),
         several => format!("{} figures · ", grouped(several)),
     };
-    Some(format!("{figures}{} · {} vertices", plural(elements, "element"), grouped(vertices)))
+    let elements = plural(elements, "element");
+    // How many vertices polygons share is known only when they are drawn.
+    let patchwork = |figure: &FigurePlan| figure.name == name && matches!(figure.shape, Shape::Patchwork(_));
+    if lowered.plan.figures().iter().any(patchwork) {
+        return Some(format!("{figures}{elements}"));
+    }
+    Some(format!("{figures}{elements} · {} vertices", grouped(vertices)))
 }
 
 fn plural(count: u64, one: &str) -> String {

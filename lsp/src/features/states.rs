@@ -1,4 +1,4 @@
-//! What is known of an ifs: where its transforms go, their matrices, how much they contract. In words, as Markdown. It is
+//! What is known of an ifs: where its transforms go, their matrices, how much they contract, whether its pieces join. In words, as Markdown. It is
 //! that of the figures where they use it, else that of the ifs by itself.
 
 use std::borrow::Cow;
@@ -8,7 +8,7 @@ use ifs_compiler::hir::dimension::Dimension;
 use ifs_compiler::hir::evaluate::{Evaluator, quantity_words_to};
 use ifs_compiler::hir::tree::ItemId;
 use ifs_compiler::ifs::{Automaton, Contraction, Matrix, StateId, StateSpace, contraction, step_factor};
-use ifs_compiler::plan::lower::alone;
+use ifs_compiler::plan::lower::{FigureKind, alone, figure_kind};
 
 use super::facts::WorkedOut;
 
@@ -56,11 +56,14 @@ impl<'a> States<'a> {
     }
 }
 
-/// How much an ifs contracts, for each set of arguments.
+/// How much an ifs contracts and what it is where it is placed, for each set of arguments.
 pub(super) fn of_ifs(analysis: &Analysis, known: WorkedOut<'_>, id: ItemId) -> Option<String> {
     let words = |States { automaton, of_ifs }: States<'_>| {
         let told = of_ifs.iter().take(MOST_STATES);
-        let lines = told.map(|id| format!("`{}`: {}", automaton.state(*id).name, contracts(&automaton, *id)));
+        let lines = told.map(|id| {
+            let (name, contracts) = (&automaton.state(*id).name, contracts(&automaton, *id));
+            format!("`{name}`: {contracts}; {}", kind(&automaton, *id))
+        });
         lines.collect::<Vec<_>>().join("\n\n")
     };
     let now = States::now(analysis, known, id).map(words);
@@ -80,6 +83,16 @@ fn contracts(automaton: &Automaton, id: StateId) -> String {
         Contraction::Open { length, bound } => {
             format!("contraction not proved: {length} steps come to {}", number(bound))
         }
+    }
+}
+
+/// What an ifs is where it is placed, and which joint is open where it is of separate pieces.
+pub(super) fn kind(automaton: &Automaton, id: StateId) -> String {
+    match figure_kind(automaton, id) {
+        FigureKind::Curve { rounded: false } => "a `Curve`: its pieces meet".to_owned(),
+        FigureKind::Curve { rounded: true } => "a `Curve`: its pieces meet but for rounding".to_owned(),
+        FigureKind::Surface => "a `Surface`: its pieces share their edges".to_owned(),
+        FigureKind::Figure { why } => format!("a `Figure` of separate pieces: {why}"),
     }
 }
 
@@ -221,7 +234,8 @@ mod tests {
             "contracts, by 0.75 at most in each step",
         ];
         contains(&shown(&text, "$1", true), &parts);
-        contains(&shown(&text, "$2", true), &["`halves`: contracts, by 0.75"]);
+        let said = "`halves`: contracts, by 0.75 at most in each step; a `Curve`: its pieces meet";
+        contains(&shown(&text, "$2", true), &[said]);
     }
 
     #[test]

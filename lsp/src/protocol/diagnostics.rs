@@ -51,3 +51,21 @@ pub(crate) fn diagnostic(
         ..lsp::Diagnostic::default()
     }
 }
+
+/// The diagnostic for a client that shows no related places: they are told in the message.
+pub(crate) fn without_related(
+    places: &Places,
+    analysis: &Analysis,
+    found: &Diagnostic,
+    encoding: Encoding,
+) -> lsp::Diagnostic {
+    let mut said = diagnostic(places, analysis, found, encoding);
+    said.related_information = None;
+    for label in &found.labels {
+        let line = range(analysis, label.span, encoding).start.line + 1;
+        let elsewhere = analysis.sources.get(label.span.file).filter(|file| file.id != found.span.file);
+        let file = elsewhere.map_or_else(String::new, |file| format!("{}, ", file.path));
+        said.message += &format!("\n{file}line {line}: {}", label.text);
+    }
+    said
+}

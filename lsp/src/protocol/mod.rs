@@ -5,4 +5,5 @@ pub(crate) mod commands;
 pub(crate) mod convert;
 pub(crate) mod diagnostics;
 pub(crate) mod errors;
+pub(crate) mod plain;
 pub(crate) mod uri;

@@ -6,6 +6,7 @@ use ifs_compiler::source::Span;
 use tower_lsp::ls_types::*;
 
 use super::completions::paths;
+use super::judged::judged;
 use super::neighbours::{imports, read_with, siblings};
 use crate::features::fixes::{self, Mend};
 use crate::features::format::line_edits;
@@ -28,6 +29,7 @@ pub(super) fn actions(snapshot: &Snapshot, range: Range, context: &CodeActionCon
             mends.extend(imports(snapshot, found_here));
             mends.extend(siblings(snapshot, found_here));
             mends.extend(fixes::nearest(&snapshot.analysis, found_here, &paths(snapshot)));
+            let mends = judged(snapshot, found_here, mends);
             found.extend(mends.into_iter().filter_map(|mend| quick_fix(snapshot, mend, &told)));
         }
     }

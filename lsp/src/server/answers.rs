@@ -51,11 +51,10 @@ pub(super) fn project(snapshot: &Snapshot) -> Vec<(Places, Option<Analysis>)> {
     paths.extend(snapshot.open.keys().filter(|path| path.starts_with(&snapshot.places.root)).cloned());
     paths.remove(&snapshot.path);
     for path in paths {
-        let Some(project) = projects.project(&path).filter(|project| project.root == snapshot.places.root)
-        else {
+        let overlay = Overlay::of(&**projects, &path, &snapshot.open);
+        let Some(overlay) = overlay.filter(|other| other.project.root == snapshot.places.root) else {
             continue;
         };
-        let overlay = Overlay { project, open: snapshot.open.clone() };
         let analysis = read_indexed(&overlay, &overlay.project.design, &overlay.project.overrides);
         all.push((snapshot.places.clone(), Some(analysis)));
     }
@@ -183,11 +182,11 @@ fn symbol(snapshot: &Snapshot, found: symbols::Symbol) -> DocumentSymbol {
     }
 }
 
-pub(super) fn symbols(snapshot: &Snapshot) -> DocumentSymbolResponse {
+pub(super) fn symbols(snapshot: &Snapshot) -> Vec<DocumentSymbol> {
     let root = snapshot.analysis.files.first();
     let mut found = root.map_or_else(Vec::new, |file| symbols::symbols(&file.parse.ast));
     symbols::tell_types(&snapshot.analysis, &mut found);
-    DocumentSymbolResponse::Nested(found.into_iter().map(|found| symbol(snapshot, found)).collect())
+    found.into_iter().map(|found| symbol(snapshot, found)).collect()
 }
 
 pub(super) fn format(snapshot: &Snapshot) -> Option<Vec<TextEdit>> {

@@ -11,9 +11,11 @@ use ifs_compiler::source::FileId;
 use tower_lsp::ls_types::*;
 
 use super::patience::{Limited, Patience};
-use crate::protocol::diagnostics::diagnostic;
+use super::told::Told;
+use crate::protocol::diagnostics::{diagnostic, without_related};
 use crate::protocol::uri::uri_of;
 use crate::world::names::Names;
+use crate::world::outbox::{AllWrong, Wrong};
 use crate::world::overlay::Overlay;
 use crate::world::owner::Moment;
 use crate::world::places::Places;
@@ -21,16 +23,48 @@ use crate::world::project_file::{project_file, with_project_file};
 use crate::world::projects::Projects;
 use crate::world::{Encoding, Snapshot};
 
-/// What is wrong with a document. `related`: what its design finds in other files goes with it.
-pub(super) fn pulled(snapshot: &Snapshot, known: Option<&str>, related: bool) -> DocumentDiagnosticReport {
-    let root = snapshot.analysis.root;
-    let of = |file: FileId| -> Vec<Diagnostic> {
-        let found = snapshot.diagnostics.iter().filter(|found| found.span.file == file);
-        found.map(|one| diagnostic(&snapshot.places, &snapshot.analysis, one, snapshot.encoding)).collect()
-    };
-    let others = related.then(|| others(snapshot, of)).filter(|others| !others.is_empty());
+/// Everything that is said of a file, once.
+pub(super) fn said_of(wrong: &Wrong, told: Told) -> Vec<Diagnostic> {
+    let mut all = Vec::new();
+    for found in &wrong.found {
+        let said = found.diagnostics.iter();
+        add(&mut all, said.map(|one| shown(&found.places, &found.analysis, one, told)));
+    }
+    all
+}
+
+/// A diagnostic as the client can show it.
+fn shown(
+    places: &Places,
+    analysis: &Analysis,
+    found: &ifs_compiler::diagnostic::Diagnostic,
+    told: Told,
+) -> Diagnostic {
+    let said = if told.plain.diagnostics { without_related } else { diagnostic };
+    said(places, analysis, found, told.encoding)
+}
+
+/// Adds what is not among them yet.
+fn add(all: &mut Vec<Diagnostic>, more: impl Iterator<Item = Diagnostic>) {
+    for one in more {
+        if !all.contains(&one) {
+            all.push(one);
+        }
+    }
+}
+
+/// What all open designs find in a document. Where the client takes it, what its own finds in files that are not open goes with
+/// it.
+pub(super) fn pulled(
+    snapshot: &Snapshot,
+    wrong: &AllWrong,
+    known: Option<&str>,
+    told: Told,
+) -> DocumentDiagnosticReport {
+    let of = |path: &Path| wrong.get(path).map_or_else(Vec::new, |wrong| said_of(wrong, told));
+    let others = told.takes_related.then(|| others(snapshot, of)).filter(|others| !others.is_empty());
     let related_documents = others.map(|others| others.into_iter().collect());
-    match report(of(root), known) {
+    match report(of(&snapshot.path), known) {
         Report::Same(result_id) => {
             DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
                 related_documents,
@@ -46,16 +80,16 @@ pub(super) fn pulled(snapshot: &Snapshot, known: Option<&str>, related: bool) ->
     }
 }
 
-/// What is wrong in files that are not open: those that are speak for themselves. A file in which nothing is wrong is said
-/// to be so, since something may have been.
+/// What is wrong in files of the design that are not open: those that are speak for themselves. A file in which nothing is
+/// wrong is said to be so, since something may have been.
 fn others(
     snapshot: &Snapshot,
-    of: impl Fn(FileId) -> Vec<Diagnostic>,
+    of: impl Fn(&Path) -> Vec<Diagnostic>,
 ) -> Vec<(Uri, DocumentDiagnosticReportKind)> {
     let files = snapshot.analysis.files.iter().map(|file| file.file).chain(project_file(&snapshot.analysis));
     let others = files.filter(|file| *file != snapshot.analysis.root).filter_map(|file| {
         let path = snapshot.places.path(&snapshot.analysis, file)?;
-        let Report::New(full) = report(of(file), None) else { return None };
+        let Report::New(full) = report(of(&path), None) else { return None };
         let open = snapshot.open.contains_key(&path);
         (!open).then_some((snapshot.uri(&path)?, DocumentDiagnosticReportKind::Full(full)))
     });
@@ -92,8 +126,8 @@ struct Kept {
     items: Vec<Diagnostic>,
     /// Whether it still has to be worked out.
     waits: bool,
-    /// The project's `ifs.toml`, and what is wrong in it for this design.
-    project: Option<(PathBuf, Vec<Diagnostic>)>,
+    /// What it finds in its other files, the project's `ifs.toml` among them.
+    elsewhere: Vec<(PathBuf, Vec<Diagnostic>)>,
 }
 
 /// The designs of the workspace that are not open, read when they or what they are made of has changed, and worked out as far
@@ -104,14 +138,15 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// What is wrong in each file below the folders that is not open.
+    /// What is wrong in each file below the folders, and in what open designs are made of.
     pub(super) fn pulled(
         &self,
         projects: &Arc<dyn Projects>,
         names: &Names,
         folders: &[PathBuf],
-        moment: &Moment,
+        (moment, wrong): (&Moment, &AllWrong),
         known: &BTreeMap<String, String>,
+        told: Told,
     ) -> Vec<WorkspaceDocumentDiagnosticReport> {
         let mut paths: Vec<PathBuf> = folders.iter().flat_map(|folder| projects.designs(folder)).collect();
         paths.sort();
@@ -119,44 +154,29 @@ impl Workspace {
         paths.retain(|path| !moment.open.contains_key(path));
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept.retain(|path, _| paths.contains(path));
-        let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
+        let open = wrong.iter().map(|(path, wrong)| (path.clone(), said_of(wrong, told)));
+        let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = open.collect();
         let patience = Patience::from_now();
         for path in paths {
             let known = kept.get(&path).filter(|kept| is_current(kept, moment));
             if known.is_none_or(|kept| kept.waits && patience.is_left()) {
-                let Some(looked) = look(projects, names, &path, moment, patience) else { continue };
+                let Some(looked) = look(projects, names, &path, (moment, told), patience) else { continue };
                 kept.insert(path.clone(), looked);
             }
             let Some(kept) = kept.get(&path) else { continue };
-            if let Some((file, items)) =
-                kept.project.as_ref().filter(|(file, _)| !moment.open.contains_key(file))
-            {
-                let all = found.entry(file.clone()).or_default();
-                all.extend(items.iter().filter(|item| !all.contains(item)).cloned().collect::<Vec<_>>());
+            for (file, items) in &kept.elsewhere {
+                add(found.entry(file.clone()).or_default(), items.iter().cloned());
             }
-            found.entry(path).or_default().extend(kept.items.iter().cloned());
+            add(found.entry(path).or_default(), kept.items.iter().cloned());
         }
         let reports = found.into_iter().filter_map(|(path, items)| {
             let uri = uri_of(names, &path)?;
             let known = known.get(uri.as_str()).map(String::as_str);
-            Some(workspace_report(uri, None, report(items, known)))
+            let version = moment.open.get(&path).map(|document| i64::from(document.version));
+            Some(workspace_report(uri, version, report(items, known)))
         });
         reports.collect()
     }
-}
-
-/// The report of an open document in that of the workspace.
-pub(super) fn open_report(
-    snapshot: &Snapshot,
-    known: &BTreeMap<String, String>,
-) -> Option<WorkspaceDocumentDiagnosticReport> {
-    let uri = snapshot.uri(&snapshot.path)?;
-    let root = snapshot.analysis.root;
-    let own = snapshot.diagnostics.iter().filter(|found| found.span.file == root);
-    let items = own.map(|one| diagnostic(&snapshot.places, &snapshot.analysis, one, snapshot.encoding));
-    let report = report(items.collect(), known.get(uri.as_str()).map(String::as_str));
-    let version = snapshot.open.get(&snapshot.path).map(|document| i64::from(document.version));
-    Some(workspace_report(uri, version, report))
 }
 
 fn workspace_report(uri: Uri, version: Option<i64>, report: Report) -> WorkspaceDocumentDiagnosticReport {
@@ -189,10 +209,10 @@ fn look(
     projects: &Arc<dyn Projects>,
     names: &Names,
     path: &Path,
-    moment: &Moment,
+    (moment, told): (&Moment, Told),
     patience: Patience,
 ) -> Option<Kept> {
-    let overlay = Overlay { project: projects.project(path)?, open: Arc::clone(&moment.open) };
+    let overlay = Overlay::of(&**projects, path, &moment.open)?;
     let mut analysis: Analysis = read(&overlay, &overlay.project.design, &overlay.project.overrides);
     let waits = !analysis.has_errors() && !patience.is_left();
     if !analysis.has_errors() && !waits {
@@ -214,9 +234,11 @@ fn look(
     let made_of = made_of.collect();
     let of = |file: FileId| -> Vec<Diagnostic> {
         let found = analysis.diagnostics.iter().filter(|found| found.span.file == file);
-        found.map(|one| diagnostic(&places, &analysis, one, moment.encoding)).collect()
+        found.map(|one| shown(&places, &analysis, one, told)).collect()
     };
-    let project = project_file(&analysis).and_then(|file| Some((places.path(&analysis, file)?, of(file))));
+    let others = analysis.files.iter().map(|file| file.file).chain(project_file(&analysis));
+    let others = others.filter(|file| *file != analysis.root);
+    let elsewhere = others.filter_map(|file| Some((places.path(&analysis, file)?, of(file)))).collect();
     let (items, disk, encoding) = (of(analysis.root), moment.disk, moment.encoding);
-    Some(Kept { made_of, disk, encoding, items, waits, project })
+    Some(Kept { made_of, disk, encoding, items, waits, elsewhere })
 }

@@ -133,8 +133,7 @@ pub(super) fn symbols(
     paths.dedup();
     let mut found = Vec::new();
     for path in paths {
-        let Some(project) = projects.project(&path) else { continue };
-        let overlay = Overlay { project, open: Arc::clone(&moment.open) };
+        let Some(overlay) = Overlay::of(&**projects, &path, &moment.open) else { continue };
         let design = overlay.project.design.clone();
         let text = overlay.read(&design).ok().and_then(|bytes| String::from_utf8(bytes).ok());
         let (Some(text), Some(uri)) = (text, uri_of(names, &path)) else { continue };

@@ -14,7 +14,6 @@ use crate::world::Snapshot;
 use crate::world::documents::Document;
 use crate::world::overlay::{Open, Overlay};
 use crate::world::project_file::with_project_file;
-use crate::world::projects::Project;
 
 /// The most files of a project that are looked through for a name.
 const MOST_FILES: usize = 300;
@@ -23,8 +22,8 @@ const MOST_FILES: usize = 300;
 pub(super) fn imports(snapshot: &Snapshot, found: &Diagnostic) -> Vec<Mend> {
     let analysis = &snapshot.analysis;
     let Some(name) = fixes::missing(analysis, found) else { return Vec::new() };
-    let Some(project) = snapshot.places.projects.project(&snapshot.path) else { return Vec::new() };
-    let overlay = Overlay { project, open: Arc::clone(&snapshot.open) };
+    let overlay = Overlay::of(&*snapshot.places.projects, &snapshot.path, &snapshot.open);
+    let Some(overlay) = overlay else { return Vec::new() };
     let root = &overlay.project.root;
     let mut paths = snapshot.places.projects.designs(root);
     paths.extend(snapshot.open.keys().filter(|path| path.starts_with(root)).cloned());
@@ -94,12 +93,7 @@ pub(super) fn read_with(snapshot: &Snapshot, text: String) -> Option<Analysis> {
 
 /// A design beside that of a snapshot, read anew among other open documents.
 pub(super) fn read_among(snapshot: &Snapshot, path: &Path, open: &Arc<Open>) -> Option<Analysis> {
-    let project = if path.is_absolute() {
-        snapshot.places.projects.project(path)?
-    } else {
-        Project::nowhere(path.to_str()?)
-    };
-    let overlay = Overlay { project, open: Arc::clone(open) };
+    let overlay = Overlay::of(&*snapshot.places.projects, path, open)?;
     let mut analysis = read_indexed(&overlay, &overlay.project.design, &overlay.project.overrides);
     with_project_file(&mut analysis, &overlay);
     Some(analysis)

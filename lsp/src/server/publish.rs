@@ -8,10 +8,9 @@ use std::time::Duration;
 use tower_lsp::Client;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
+use super::diagnostics::said_of;
 use super::told::{Refreshed, Told};
-use crate::protocol::diagnostics::diagnostic;
 use crate::protocol::uri::uri_of;
-use crate::world::Encoding;
 use crate::world::names::Names;
 use crate::world::outbox::{Outbox, Wrong};
 
@@ -52,7 +51,7 @@ pub(crate) async fn publish(client: Client, outbox: Outbox, told: Told, names: N
         }
         waiting.extend(news.wrong);
         while let Some((path, wrong)) = waiting.pop_first() {
-            let all = diagnostics(&wrong, told.encoding);
+            let all = said_of(&wrong, told);
             let version = wrong.version;
             if said.get(&path).is_some_and(|(before, list)| *before == version && *list == all) {
                 continue;
@@ -62,20 +61,6 @@ pub(crate) async fn publish(client: Client, outbox: Outbox, told: Told, names: N
             said.insert(path, (version, all));
         }
     }
-}
-
-/// Everything that is said of a file, once.
-fn diagnostics(wrong: &Wrong, encoding: Encoding) -> Vec<Diagnostic> {
-    let mut all = Vec::new();
-    for found in &wrong.found {
-        for one in &found.diagnostics {
-            let one = diagnostic(&found.places, &found.analysis, one, encoding);
-            if !all.contains(&one) {
-                all.push(one);
-            }
-        }
-    }
-    all
 }
 
 /// Ends this process soon after the one that started it: an editor that died says nothing any more.

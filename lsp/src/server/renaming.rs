@@ -21,12 +21,24 @@ use crate::world::documents::Document;
 use crate::world::overlay::{Open, Overlay};
 use crate::world::project_file::PROJECT_FILE;
 
+/// Refuses to change the library where an editor has a file of it open.
+fn not_of_the_library(snapshot: &Snapshot) -> Result<(), String> {
+    let module = snapshot.path.file_stem().and_then(|stem| stem.to_str());
+    let file = module.and_then(|module| snapshot.places.projects.library(module));
+    match file.is_some_and(|file| file == snapshot.path) {
+        true => Err("this file is of the library, which cannot be changed".to_owned()),
+        false => Ok(()),
+    }
+}
+
 pub(super) fn prepare(snapshot: &Snapshot, position: Position) -> Result<PrepareRenameResponse, String> {
+    not_of_the_library(snapshot)?;
     let (name, _) = rename::prepare(&snapshot.analysis, snapshot.analysis.root, snapshot.offset(position))?;
     Ok(PrepareRenameResponse::Range(snapshot.range(name)))
 }
 
 pub(super) fn rename(snapshot: &Snapshot, position: Position, new: &str) -> Result<WorkspaceEdit, String> {
+    not_of_the_library(snapshot)?;
     let at = snapshot.offset(position);
     let (_, declared) = rename::prepare(&snapshot.analysis, snapshot.analysis.root, at)?;
     let places =
@@ -94,8 +106,8 @@ fn in_project_file(
         Some(found) if is_parameter(analysis, found.kind) => found.name.clone(),
         _ => return Ok(None),
     };
-    let Some(project_of) = snapshot.places.projects.project(&snapshot.path) else { return Ok(None) };
-    let overlay = Overlay { project: project_of, open: Arc::clone(&snapshot.open) };
+    let overlay = Overlay::of(&*snapshot.places.projects, &snapshot.path, &snapshot.open);
+    let Some(overlay) = overlay else { return Ok(None) };
     let text = overlay.read(PROJECT_FILE).ok().and_then(|text| String::from_utf8(text).ok());
     let Some(text) = text else { return Ok(None) };
     let source = Source::new(FileId(0), PROJECT_FILE, text);

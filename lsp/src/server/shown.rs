@@ -12,14 +12,13 @@ fn part(snapshot: &Snapshot, range: Range) -> Span {
     Span::new(snapshot.analysis.root, snapshot.offset(range.start), snapshot.offset(range.end))
 }
 
-/// The design as it was worked out, where that is of the text as it is.
-fn made(snapshot: &Snapshot) -> Option<&ifs_compiler::analysis::Analysis> {
-    snapshot.made.as_ref().filter(|made| made.current).map(|made| &*made.analysis)
-}
-
 pub(super) fn hints(snapshot: &Snapshot, range: Range) -> Vec<InlayHint> {
     let root = snapshot.analysis.root;
-    let found = hints::hints(&snapshot.analysis, &snapshot.overrides, made(snapshot), part(snapshot, range));
+    // What came out last stays while the text is unfinished: nothing beside it comes and goes at every letter.
+    let made = snapshot.made.as_ref();
+    let now = |then: Span| made.and_then(|made| made.place(then));
+    let facts = made.map(|made| hints::Facts { made: &made.analysis, now: &now });
+    let found = hints::hints(&snapshot.analysis, &snapshot.overrides, facts, part(snapshot, range));
     let hints = found.into_iter().map(|hint| {
         let position = snapshot.range(Span::new(root, hint.at, hint.at)).start;
         let edit = |new_text| TextEdit { range: Range { start: position, end: position }, new_text };
@@ -45,7 +44,8 @@ pub(super) fn hints(snapshot: &Snapshot, range: Range) -> Vec<InlayHint> {
 pub(super) fn lenses(snapshot: &Snapshot, uri: &Uri, known: Commands) -> Vec<CodeLens> {
     let design =
         snapshot.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let found = lens::lenses(&snapshot.analysis, made(snapshot), snapshot.analysis.root);
+    let made = snapshot.made.as_ref().map(|made| &*made.analysis);
+    let found = lens::lenses(&snapshot.analysis, made, snapshot.analysis.root);
     let lenses = found.into_iter().filter_map(|found| {
         let of_design = vec![json!(uri.as_str())];
         let (is_known, title, command, arguments) = match found.shows {

@@ -1,6 +1,6 @@
 //! What the client says of itself at the start.
 
-use tower_lsp::ls_types::InitializeParams;
+use tower_lsp::ls_types::{InitializeParams, MarkupKind, TextDocumentClientCapabilities};
 
 use crate::protocol::commands::Commands;
 use crate::world::Encoding;
@@ -19,10 +19,48 @@ pub(crate) struct Told {
     pub(crate) snippets: bool,
     /// It shows that something is being done.
     pub(crate) shows_progress: bool,
+    /// What it shows only without marks, or in a simpler way.
+    pub(crate) plain: Plain,
     /// What its extension can carry out.
     pub(crate) commands: Commands,
     /// What it asks for again when it is told to.
     pub(crate) refreshed: Refreshed,
+}
+
+/// What a client says that it shows no better than this.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Plain {
+    pub(crate) hover: bool,
+    pub(crate) completion: bool,
+    pub(crate) signature: bool,
+    /// Diagnostics without related places.
+    pub(crate) diagnostics: bool,
+    /// Symbols in one row.
+    pub(crate) symbols: bool,
+}
+
+impl Plain {
+    fn of(document: &TextDocumentClientCapabilities) -> Plain {
+        let no_marks = |kinds: Option<&Vec<MarkupKind>>| {
+            kinds.is_some_and(|kinds| !kinds.is_empty() && !kinds.contains(&MarkupKind::Markdown))
+        };
+        let hover = document.hover.as_ref().and_then(|hover| hover.content_format.as_ref());
+        let item = document.completion.as_ref().and_then(|completion| completion.completion_item.as_ref());
+        let signature = document.signature_help.as_ref().and_then(|help| help.signature_information.as_ref());
+        Plain {
+            hover: no_marks(hover),
+            completion: no_marks(item.and_then(|item| item.documentation_format.as_ref())),
+            signature: no_marks(signature.and_then(|signature| signature.documentation_format.as_ref())),
+            diagnostics: document
+                .publish_diagnostics
+                .as_ref()
+                .is_some_and(|it| it.related_information != Some(true)),
+            symbols: document
+                .document_symbol
+                .as_ref()
+                .is_some_and(|it| it.hierarchical_document_symbol_support != Some(true)),
+        }
+    }
 }
 
 /// What a client asks for again when it is told to.
@@ -57,6 +95,7 @@ impl Told {
                 .window
                 .as_ref()
                 .is_some_and(|window| window.work_done_progress == Some(true)),
+            plain: document.map_or_else(Plain::default, Plain::of),
             commands: Commands::of(params.initialization_options.as_ref()),
             refreshed: Refreshed {
                 hints: workspace

@@ -16,7 +16,7 @@ use super::discard::Discard;
 use super::documents::Edit;
 use super::edits::moved_diagnostic;
 use super::names::Names;
-use super::outbox::{Found, Wrong};
+use super::outbox::{AllWrong, Found, Wrong};
 use super::overlay::{Open, Overlay};
 use super::places::Places;
 use super::project_file::{is_project_file, project_file, read_alone, with_project_file};
@@ -75,7 +75,7 @@ impl Before {
     /// What still says something of the new reading.
     fn kept(self, analysis: &Analysis) -> (Option<Made>, Vec<Diagnostic>) {
         let same_files = self.paths == paths(analysis);
-        (self.made, if same_files { self.worked } else { Vec::new() })
+        if same_files { (self.made, self.worked) } else { (self.made.map(Made::without_places), Vec::new()) }
     }
 }
 
@@ -142,7 +142,8 @@ impl Designs {
             let own_file = design.places.own_file(&design.analysis, path);
             let Some(file) = own_file.or(settings) else { continue };
             for edit in edits {
-                design.worked.iter_mut().for_each(|diagnostic| moved_diagnostic(diagnostic, file, *edit));
+                design.worked.retain_mut(|diagnostic| moved_diagnostic(diagnostic, file, *edit));
+                design.made.iter_mut().for_each(|made| made.edited(file, *edit));
             }
             design.outdate();
             self.background.forget(own);
@@ -155,12 +156,7 @@ impl Designs {
     /// Reads a design unless it is read as it is now. `None` where its path cannot be one.
     pub(super) fn read(&mut self, path: &Path, open: &Arc<Open>, revision: u64) -> Option<&Design> {
         if self.read.get(path).is_none_or(|design| design.read_at.is_none()) {
-            let project = if path.is_absolute() {
-                self.projects.project(path)?
-            } else {
-                Project::nowhere(path.to_str()?)
-            };
-            let overlay = Overlay { project, open: Arc::clone(open) };
+            let overlay = Overlay::of(&*self.projects, path, open)?;
             let before = self.read.remove(path).map(Before::of);
             let analysis = if is_project_file(path) {
                 read_alone(&overlay, &*self.projects)
@@ -230,19 +226,19 @@ impl Designs {
             return false;
         }
         if analysis.plan.is_some() {
-            let old = design.made.replace(Made { analysis, current: true });
+            let old = design.made.replace(Made::of(analysis));
             old.into_iter().for_each(|old| self.discard.put(old.analysis));
         }
         true
     }
 
     /// What is wrong, file by file; every open document is named.
-    pub(super) fn wrong(&self, open: &Open) -> BTreeMap<PathBuf, Wrong> {
+    pub(super) fn wrong(&self, open: &Open) -> AllWrong {
         let named = |path: &PathBuf| {
             let version = open.get(path).map(|document| document.version);
             (path.clone(), Wrong { version, found: Vec::new() })
         };
-        let mut wrong: BTreeMap<PathBuf, Wrong> = open.keys().map(named).collect();
+        let mut wrong: AllWrong = open.keys().map(named).collect();
         for design in self.read.values() {
             let mut files: BTreeMap<FileId, Vec<Diagnostic>> = BTreeMap::new();
             for diagnostic in design.diagnostics() {

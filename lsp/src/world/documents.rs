@@ -48,7 +48,7 @@ impl Document {
         Document { text, lines, version }
     }
 
-    /// Applies a change and says which bytes it changed. Places outside of the text are taken to its nearest place.
+    /// Applies a change and says which bytes it changed: of a whole text or a long part, no more than differ. Places outside of the text are taken to its nearest place.
     pub(crate) fn apply(&mut self, change: &Change, encoding: Encoding) -> Edit {
         let whole = u32::try_from(self.text.len()).unwrap_or(u32::MAX);
         let length = u32::try_from(change.text.len()).unwrap_or(u32::MAX);
@@ -60,10 +60,22 @@ impl Document {
                 Edit { start, end, length }
             }
         };
-        self.text.replace_range(edit.start as usize..edit.end as usize, &change.text);
+        let range = edit.start as usize..edit.end as usize;
+        let differs = differing(edit, &self.text[range.clone()], &change.text);
+        self.text.replace_range(range, &change.text);
         self.lines = LineIndex::new(&self.text);
-        edit
+        differs
     }
+}
+
+/// An edit without the letters that are the same at the beginning and at the end.
+fn differing(edit: Edit, old: &str, new: &str) -> Edit {
+    let same = |(old, new): &(char, char)| old == new;
+    let size = |(letter, _): (char, char)| letter.len_utf8() as u32;
+    let before: u32 = old.chars().zip(new.chars()).take_while(same).map(size).sum();
+    let (old, new) = (&old[before as usize..], &new[before as usize..]);
+    let after: u32 = old.chars().rev().zip(new.chars().rev()).take_while(same).map(size).sum();
+    Edit { start: edit.start + before, end: edit.end - after, length: new.len() as u32 - after }
 }
 
 /// The byte of a place, at a bound of characters and inside of its line.
@@ -130,6 +142,8 @@ mod tests {
         let change = Change { range: Some((at(0, 7), at(1, 3))), text: String::new() };
         document.apply(&change, Encoding::Utf16);
         assert_eq!(document.text, "let änd b = 2\n");
+        let whole = Change { range: None, text: "let änd c, d = 2\n".to_owned() };
+        assert_eq!(document.apply(&whole, Encoding::Utf16), Edit { start: 9, end: 10, length: 4 });
         document.apply(&Change { range: None, text: "x".to_owned() }, Encoding::Utf16);
         assert_eq!(document.text, "x");
     }

@@ -27,10 +27,13 @@ pub(crate) struct Wrong {
     pub(crate) found: Vec<Found>,
 }
 
+/// What is wrong, file by file, as far as open designs say; every open document is named.
+pub(crate) type AllWrong = BTreeMap<PathBuf, Wrong>;
+
 /// What has gathered since the last time.
 #[derive(Default)]
 pub(crate) struct News {
-    pub(crate) wrong: BTreeMap<PathBuf, Wrong>,
+    pub(crate) wrong: AllWrong,
     /// What a client pulled may be another now without a change of the text: designs were worked out, or files changed.
     pub(crate) pull_again: bool,
     /// Mistakes of ours.

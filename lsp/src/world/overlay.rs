@@ -1,13 +1,13 @@
 //! Files as the editor has them: open documents first, then the disk.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ifs_compiler::source::{Files, ReadError};
 
 use super::documents::Document;
-use super::projects::Project;
+use super::projects::{Project, Projects};
 
 /// The open documents by their paths, without links in them.
 pub(crate) type Open = BTreeMap<PathBuf, Arc<Document>>;
@@ -20,6 +20,16 @@ pub(crate) struct Overlay {
 }
 
 impl Overlay {
+    /// The files of the project that a document is of; `None` where its path cannot be that of a design.
+    pub(crate) fn of(projects: &dyn Projects, path: &Path, open: &Arc<Open>) -> Option<Overlay> {
+        let text = |path: &Path| open.get(path).map(|document| document.text.clone());
+        let project = match path.is_absolute() {
+            true => projects.project(path, &text)?,
+            false => Project::nowhere(path.to_str()?),
+        };
+        Some(Overlay { project, open: Arc::clone(open) })
+    }
+
     fn document(&self, path: &str) -> Option<&Arc<Document>> {
         self.open.get(&self.project.root.join(path))
     }

@@ -14,7 +14,7 @@ use super::designs::Designs;
 use super::discard::Discard;
 use super::documents::{Change, Document, Encoding};
 use super::names::Names;
-use super::outbox::Outbox;
+use super::outbox::{AllWrong, Outbox};
 use super::overlay::Open;
 use super::projects::Projects;
 use super::snapshot::Snapshot;
@@ -32,6 +32,9 @@ pub(crate) enum Refusal {
 
 /// Where an answer goes.
 pub(crate) type Reply = oneshot::Sender<Result<Snapshot, Refusal>>;
+
+/// Where an answer goes that comes with what is wrong in all files.
+pub(crate) type ReplyWrong = oneshot::Sender<Result<(Snapshot, AllWrong), Refusal>>;
 
 /// The open documents at one moment, and how often files on disk were said to be others before it.
 #[derive(Clone, Debug)]
@@ -64,6 +67,13 @@ pub(crate) enum Message {
         path: PathBuf,
         reply: Reply,
     },
+    /// What is known of a document, with what is wrong in all files.
+    AskWrong {
+        path: PathBuf,
+        reply: ReplyWrong,
+    },
+    /// Which documents are open, with what is wrong in all files.
+    AskAllWrong(oneshot::Sender<(Moment, AllWrong)>),
     /// Which documents are open.
     AskMoment(oneshot::Sender<Moment>),
     /// A design was worked out; none where that failed.
@@ -136,7 +146,11 @@ impl Owner {
                     Message::Stop => break 'all,
                     Message::Ask { path, reply } => {
                         let outdated = last.get(&path).is_some_and(|last| *last > at);
-                        self.answer(&path, reply, outdated);
+                        self.answer(reply, outdated, |owner| owner.snapshot(&path));
+                    }
+                    Message::AskWrong { path, reply } => {
+                        let outdated = last.get(&path).is_some_and(|last| *last > at);
+                        self.answer(reply, outdated, |owner| Ok((owner.snapshot(&path)?, owner.wrong())));
                     }
                     message => changed |= self.guarded(|owner| owner.take(message)).unwrap_or(true),
                 }
@@ -186,13 +200,16 @@ impl Owner {
                 true
             }
             Message::AskMoment(reply) => {
-                let (open, disk, encoding) = (Arc::clone(&self.open), self.disk, self.encoding);
                 // Who asked may have been cancelled.
-                let _ = reply.send(Moment { open, disk, encoding });
+                let _ = reply.send(self.moment());
+                false
+            }
+            Message::AskAllWrong(reply) => {
+                let _ = reply.send((self.moment(), self.wrong()));
                 false
             }
             Message::Worked(path, worked) => self.worked(&path, worked),
-            Message::Ask { .. } | Message::Stop => false,
+            Message::Ask { .. } | Message::AskWrong { .. } | Message::Stop => false,
         }
     }
 
@@ -217,13 +234,22 @@ impl Owner {
         true
     }
 
-    fn answer(&mut self, path: &Path, reply: Reply, outdated: bool) {
+    fn answer<T>(
+        &mut self,
+        reply: oneshot::Sender<Result<T, Refusal>>,
+        outdated: bool,
+        find: impl FnOnce(&mut Owner) -> Result<T, Refusal>,
+    ) {
         // A request that was cancelled meanwhile wants no answer.
         if reply.is_closed() {
             return;
         }
-        let answer = if outdated { Err(Refusal::Outdated) } else { self.snapshot(path) };
+        let answer = if outdated { Err(Refusal::Outdated) } else { find(self) };
         let _ = reply.send(answer);
+    }
+
+    fn moment(&self) -> Moment {
+        Moment { open: Arc::clone(&self.open), disk: self.disk, encoding: self.encoding }
     }
 
     fn snapshot(&mut self, path: &Path) -> Result<Snapshot, Refusal> {
@@ -263,16 +289,21 @@ impl Owner {
 
     /// Reads what has changed and says what is wrong.
     fn refresh(&mut self) {
-        let open = Arc::clone(&self.open);
-        for path in open.keys() {
-            let revision = self.revision;
-            self.guarded(|owner| owner.designs.read(path, &open, revision).is_some());
-        }
-        let mut wrong = self.designs.wrong(&open);
+        let mut wrong = self.wrong();
         let said = wrong.keys().cloned().collect();
         for gone in std::mem::replace(&mut self.published, said) {
             wrong.entry(gone).or_default();
         }
         self.outbox.put(|news| news.wrong.extend(wrong));
+    }
+
+    /// What is wrong in all files, after what has changed was read.
+    fn wrong(&mut self) -> AllWrong {
+        let open = Arc::clone(&self.open);
+        for path in open.keys() {
+            let revision = self.revision;
+            self.guarded(|owner| owner.designs.read(path, &open, revision).is_some());
+        }
+        self.designs.wrong(&open)
     }
 }

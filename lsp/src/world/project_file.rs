@@ -36,10 +36,10 @@ pub(super) fn read_alone(overlay: &Overlay, projects: &dyn Projects) -> Analysis
     analysis.diagnostics = read_project(root, &text).1;
     let below = overlay.open.keys().filter(|path| path.starts_with(&overlay.project.root));
     for path in below.filter(|path| !is_project_file(path)) {
-        let Some(project) = projects.project(path).filter(|other| other.root == overlay.project.root) else {
+        let design = Overlay::of(projects, path, &overlay.open);
+        let Some(design) = design.filter(|other| other.project.root == overlay.project.root) else {
             continue;
         };
-        let design = Overlay { project, open: Arc::clone(&overlay.open) };
         let mut read = read(&design, &design.project.design, &design.project.overrides);
         with_project_file(&mut read, &design);
         let Some(file) = project_file(&read) else { continue };

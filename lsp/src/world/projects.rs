@@ -9,8 +9,9 @@ use ifs_compiler::source::{Files, ReadError};
 
 /// The disk, as the program that starts the server sees it.
 pub trait Projects: Send + Sync {
-    /// The project of a design; `None` where its path cannot be one.
-    fn project(&self, path: &Path) -> Option<Project>;
+    /// The project of a design; `None` where its path cannot be one. `open` gives the text of a file that the editor has: that
+    /// of an `ifs.toml` goes before the one on disk.
+    fn project(&self, path: &Path, open: &dyn Fn(&Path) -> Option<String>) -> Option<Project>;
 
     /// Every design below a folder, in order.
     fn designs(&self, folder: &Path) -> Vec<PathBuf>;

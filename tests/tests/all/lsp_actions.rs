@@ -179,3 +179,50 @@ fn all_that_is_safe_is_mended_in_one_go() {
     assert_eq!(found[0].1.trim_start(), "let b = 3\nlet c = b\n");
     client.finish();
 }
+
+#[test]
+fn what_would_be_wrong_otherwise_is_not_offered() {
+    let mut client = Client::start(program_path(false));
+    client.initialize(&json!({}), &[]);
+    let name = "untitled:judged.ifs";
+    client.open(name, "");
+    let mut version = 1;
+    let mut offered = |marked: &str| -> Vec<(String, bool)> {
+        version += 1;
+        client.change(name, version, json!([{ "text": marked.replace(['«', '»'], "") }]));
+        client.diagnostics(name, version);
+        let (before, rest) = marked.split_once('«').unwrap();
+        let place = |text: &str| {
+            let line = &text[text.rfind('\n').map_or(0, |end| end + 1)..];
+            json!({ "line": text.matches('\n').count(), "character": line.len() })
+        };
+        let end = place(&format!("{before}{}", rest.split_once('»').unwrap().0));
+        let range = json!({ "start": place(before), "end": end });
+        let asked = json!({ "textDocument": { "uri": name }, "range": range, "context": everything() });
+        let found = client.request("textDocument/codeAction", asked).unwrap();
+        let fixes = found.as_array().unwrap().iter().filter(|action| action["kind"] == "quickfix");
+        let told =
+            |action: &Value| (action["title"].as_str().unwrap().to_owned(), action["isPreferred"] == true);
+        fixes.map(told).collect()
+    };
+    // The form would be wrong in another way.
+    for text in ["param lean: «»= 25deg\n", "let x = [1«;» 2]\n", "let x = 12«\"»\n"] {
+        assert_eq!(offered(text), [], "{text}");
+    }
+    assert!(offered("let x = 1«;»\n").iter().all(|(_, preferred)| *preferred));
+    // Offered, but for whoever asks: something else is wrong there then.
+    let doubtful = offered("fn mine(a: Int, b: Int) -> Int = a + b\nfigure f = «mime»(3)\n");
+    assert_eq!(doubtful, [("replace `mime` with `mine`".to_owned(), false)]);
+    let good = offered("let width = 3m\nlet half = «widht» / 2\n");
+    assert_eq!(good, [("replace `widht` with `width`".to_owned(), true)]);
+    // What is imported already is not imported again, and a type keeps its name.
+    let twice = "use std.curves (bezier2, line)\nuse std.materials («bezier2»)\nlet a = [bezier2, line]\n";
+    let titles: Vec<String> = offered(twice).into_iter().map(|(title, _)| title).collect();
+    assert!(titles.iter().all(|title| !title.contains("import `bezier2`")), "{titles:?}");
+    let case = offered("param «Length»: Length = 2m\nlet b: Length = Length\n");
+    assert!(
+        case.iter().any(|(title, _)| title == "write `length` instead of `Length` here and at its use"),
+        "{case:?}"
+    );
+    client.finish();
+}

@@ -64,8 +64,8 @@ fn of_a_file_that_is_written_and_mended() {
     client.open(&design, DESIGN);
     client.open(&settings, SETTINGS);
     // Nothing of it is read as a design.
-    let found = client.diagnostics_until(&settings, |list| list.len() == 2);
-    assert_eq!(said(SETTINGS, &found)[0], all_three()[0]);
+    let found = client.diagnostics_until(&settings, |list| list.len() == 3);
+    assert_eq!(said(SETTINGS, &found), all_three());
     for method in ["documentSymbol", "codeLens", "foldingRange", "semanticTokens/full", "formatting"] {
         let asked =
             json!({ "textDocument": { "uri": settings }, "options": { "tabSize": 4, "insertSpaces": true } });
@@ -92,10 +92,10 @@ fn of_a_file_that_is_written_and_mended() {
             );
         }
     }
-    assert_eq!(titles, ["replace `outt` with `out`", "replace `widht` with `width`"]);
+    let machine = "replace `\"shop.ifs:ruoter\"` with `\"shop.ifs:router\"`";
+    assert_eq!(titles, ["replace `outt` with `out`", machine, "replace `widht` with `width`"]);
     let mended = text.join("\n") + "\n";
     client.change(&settings, 2, json!([{ "text": mended }]));
-    // A machine of a file on disk is that of the settings on disk: it is known when they are saved.
     client.diagnostics_until(&settings, <[Value]>::is_empty);
     // A mistake in the design's name of the parameter is one of the settings too.
     client.change(&design, 2, json!([{ "text": DESIGN.replace("width", "widths") }]));
@@ -163,4 +163,26 @@ fn a_misspelt_machine_is_mended_where_it_is_named() {
         .output()
         .unwrap();
     assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
+}
+
+#[test]
+fn what_is_not_saved_yet_sets_parameters() {
+    let text = "[params]\nwidth = \"5m\"\n";
+    let (_, design, settings) = project("lsp_project_file_unsaved", text);
+    let mut client = Client::start(program_path(false));
+    client.initialize(&json!({}), &[]);
+    client.open(&design, DESIGN);
+    client.open(&settings, text);
+    let half = |client: &mut Client| {
+        let at = json!({ "textDocument": { "uri": design }, "position": { "line": 1, "character": 5 } });
+        let hover = client.request("textDocument/hover", at).unwrap();
+        hover["contents"]["value"].as_str().unwrap().rsplit('\n').next().unwrap().to_owned()
+    };
+    assert_eq!(half(&mut client), "value `2500mm`");
+    client.change(&settings, 2, json!([{ "text": text.replace("5m", "7m") }]));
+    assert_eq!(half(&mut client), "value `3500mm`");
+    client.change(&settings, 3, json!([{ "text": text.replace("5m", "5kg") }]));
+    let found = client.diagnostics_until(&design, |list| !list.is_empty());
+    assert_eq!(found[0]["code"], "E0606");
+    client.finish();
 }

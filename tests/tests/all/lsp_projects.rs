@@ -223,6 +223,8 @@ fn the_files_of_the_library_as_documents() {
         }
     }
     assert!(asked > 30, "{asked}");
+    let refused = client.request("textDocument/prepareRename", at(&curves, 20, 5));
+    assert!(refused.is_err_and(|why| why.message.contains("of the library")));
     client.finish();
 }
 
@@ -296,5 +298,48 @@ fn designs_that_nobody_has_open_are_worked_out_too() {
         (1, &json!("E0812"), &json!(6))
     );
     assert_eq!(of("good.ifs"), [] as [Value; 0]);
+    client.finish();
+}
+
+#[test]
+fn a_mistake_that_another_design_finds_is_pulled_too() {
+    let folder = scratch("lsp_pull_elsewhere");
+    fs::write(folder.join("ifs.toml"), "").unwrap();
+    let lib = "let list = [1m, 2m]\npub fn pick(i: Int) -> Length = list[i]\n";
+    let user = "use \"./lib.ifs\" (pick)\nlet a = pick(10)\n";
+    fs::write(folder.join("lib.ifs"), lib).unwrap();
+    fs::write(folder.join("user.ifs"), user).unwrap();
+    let said = json!({
+        "textDocument": { "diagnostic": {} },
+        "workspace": { "diagnostics": { "refreshSupport": true } },
+    });
+    let mut client = Client::start(program_path(false));
+    client.initialize(&said, &[&folder]);
+    let (lib_uri, user_uri) = (uri(&folder.join("lib.ifs")), uri(&folder.join("user.ifs")));
+    let found = |client: &mut Client| {
+        let report = client.request("workspace/diagnostic", json!({ "previousResultIds": [] })).unwrap();
+        let item = report["items"].as_array().unwrap().iter().find(|item| item["uri"] == lib_uri).unwrap();
+        item["items"].as_array().unwrap().iter().map(|one| one["code"].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(found(&mut client), [json!("E0602")], "nobody has them open");
+    client.open(&user_uri, user);
+    client.open(&lib_uri, lib);
+    let pull = |client: &mut Client| {
+        let params = json!({ "textDocument": { "uri": lib_uri } });
+        let report = client.request("textDocument/diagnostic", params).unwrap();
+        report["items"].as_array().unwrap().iter().map(|one| one["code"].clone()).collect::<Vec<_>>()
+    };
+    // It is found, and gone, when the design is worked out.
+    let becomes = |client: &mut Client, expected: &[Value]| {
+        (0..200).any(|_| {
+            std::thread::sleep(std::time::Duration::from_millis(50));
+            pull(client) == expected
+        })
+    };
+    assert!(becomes(&mut client, &[json!("E0602")]), "{:?}", pull(&mut client));
+    assert_eq!(found(&mut client), [json!("E0602")]);
+    client.change(&user_uri, 2, json!([{ "text": user.replace("10", "1") }]));
+    assert!(becomes(&mut client, &[]), "{:?}", pull(&mut client));
+    assert_eq!(found(&mut client), [] as [Value; 0]);
     client.finish();
 }

@@ -200,7 +200,7 @@ impl Files for Same {
 }
 
 impl Projects for Failing {
-    fn project(&self, path: &Path) -> Option<Project> {
+    fn project(&self, path: &Path, _: &dyn Fn(&Path) -> Option<String>) -> Option<Project> {
         assert!(!path.ends_with("failing.ifs"), "as this test wants it");
         Some(Project {
             root: path.parent()?.to_owned(),

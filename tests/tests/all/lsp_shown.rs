@@ -192,3 +192,36 @@ fn the_library_has_hints_and_colours_too() {
     assert_eq!(client.request("textDocument/codeLens", asked).unwrap(), json!([]));
     client.finish();
 }
+
+#[test]
+fn what_came_out_stays_while_the_text_is_unfinished() {
+    let text =
+        ROOF.replacen("at level 1", "until edge <= 1m", 1).replacen(" }", " require planarity >= 0.9 }", 1);
+    let (mut client, uri) = worked_out("lsp_unfinished", &json!(null), "utf-16", &text);
+    let facts = |client: &mut Client| -> Vec<(u64, u64, String)> {
+        let end = json!({ "line": 99, "character": 0 });
+        let range = json!({ "start": { "line": 0, "character": 0 }, "end": end });
+        let asked = json!({ "textDocument": { "uri": uri }, "range": range });
+        let found = client.request("textDocument/inlayHint", asked).unwrap();
+        let facts = found.as_array().unwrap().iter().filter(|hint| hint["kind"].is_null()).map(|hint| {
+            let at = |name: &str| hint["position"][name].as_u64().unwrap();
+            (at("line"), at("character"), hint["label"].as_str().unwrap().to_owned())
+        });
+        facts.collect()
+    };
+    let (lens, hints) = (lenses(&mut client, &uri), facts(&mut client));
+    assert!(hints.iter().any(|(_, _, label)| label.starts_with("level ")), "{hints:?}");
+    assert!(hints.iter().any(|(_, _, label)| label.starts_with("worst 0.99")), "{hints:?}");
+    // A line that is not finished, before all of it.
+    let start = json!({ "line": 0, "character": 0 });
+    let range = json!({ "start": start, "end": start });
+    client.change(&uri, 2, json!([{ "range": range, "text": "let q = 3 +\n" }]));
+    client.diagnostics(&uri, 2);
+    let below =
+        |(line, title, command, given): (u64, String, String, Value)| (line + 1, title, command, given);
+    let lens: Vec<_> = lens.into_iter().map(below).collect();
+    assert_eq!(lenses(&mut client, &uri), lens);
+    let hints: Vec<_> = hints.into_iter().map(|(line, column, label)| (line + 1, column, label)).collect();
+    assert_eq!(facts(&mut client), hints);
+    client.finish();
+}

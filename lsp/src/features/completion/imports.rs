@@ -6,7 +6,7 @@ use ifs_compiler::hir::native_item_docs;
 use ifs_compiler::hir::type_names::type_name;
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::source::{FileId, Span};
-use ifs_compiler::syntax::{Token, TokenKind, ast};
+use ifs_compiler::syntax::{Token, TokenKind};
 
 use super::{Kind, Offer};
 use crate::features::tokens::Before;
@@ -129,23 +129,6 @@ pub(in crate::features) fn to_import(
     name: &str,
 ) -> Option<(Span, String)> {
     let parse = &analysis.files.iter().find(|parsed| parsed.file == file)?.parse;
-    let uses = parse.ast.items.iter().filter_map(|item| match &item.kind {
-        ast::ItemKind::Use(import) => Some((item, import)),
-        _ => None,
-    });
-    let mut last = None;
-    for (item, import) in uses {
-        if let Some(end) = import.names.last()
-            && written(analysis, import.module.span()) == module
-        {
-            return Some((Span::new(file, end.span.end, end.span.end), format!(", {name}")));
-        }
-        last = Some(item.span.end);
-    }
-    if let Some(end) = last {
-        return Some((Span::new(file, end, end), format!("\nuse {module} ({name})")));
-    }
-    let kept = |kind| matches!(kind, TokenKind::Whitespace | TokenKind::Comment | TokenKind::FileDocs);
-    let first = parse.tokens.iter().find(|token| !kept(token.kind))?.span.start;
-    Some((Span::new(file, first, first), format!("use {module} ({name})\n\n")))
+    let (at, text) = parse.ast.to_import(module, name);
+    Some((Span::new(file, at, at), text))
 }

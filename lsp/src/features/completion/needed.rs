@@ -143,7 +143,10 @@ pub(super) fn kind_with_block(analysis: &Analysis, place: Span, kind: SchemaKind
 /// A whole block for a figure that has none, where the design has one.
 pub(super) fn block(analysis: &Analysis, place: Span, kind: SchemaKind) -> Offer {
     let own = analysis.index.module(place.file).map_or(&[][..], |module| &module.own);
-    let free = || own.iter().filter(|known| !shapes::is_made(analysis, &known.name, place));
+    let free = || {
+        let figures = own.iter().filter(|known| shapes::is_figure(&analysis.hir, known.target));
+        figures.filter(|known| !shapes::is_made(analysis, &known.name, place))
+    };
     let fits = |known: &&Known| shapes::of_figure(&analysis.hir, known.target) == Some(kind);
     let unknown =
         |known: &&Known| known.ty.is_figure() && shapes::of_figure(&analysis.hir, known.target).is_none();

@@ -21,6 +21,12 @@ pub(super) fn is_made(analysis: &Analysis, name: &str, but: Span) -> bool {
 /// How many items are followed from one to the next.
 const MOST_ITEMS: usize = 16;
 
+/// Whether it is declared as a figure: of no other value boards can be made.
+pub(super) fn is_figure(hir: &Hir, named: Target) -> bool {
+    let Target::Declared(span) = named else { return false };
+    hir.items.iter().any(|item| item.name_span == span && matches!(item.kind, ItemKind::Figure(_)))
+}
+
 /// What a figure can be fabricated as; `None` where that is not known, or where it is no figure.
 pub(super) fn of_figure(hir: &Hir, figure: Target) -> Option<SchemaKind> {
     let Target::Declared(span) = figure else { return None };

@@ -52,6 +52,24 @@ fn what_begins_an_item() {
 }
 
 #[test]
+fn fields_of_an_element_before_its_number_is_declared() {
+    has("let points = [(1m, 2m)]\nlet z = [points[k].$0", "x y", "");
+    has("let points = [(1m, 2m)]\nlet z = [points[k].$0 for k in 0..1]", "x y", "");
+}
+
+#[test]
+fn a_block_is_of_a_figure() {
+    let text = "use std.curves (line)\nfn arch(i: Int) -> Curve = line on ((0m, 0m), (1m, 0m)) at level 1\nlet helper = arch(1)\nfigure rail = arch(2)\n";
+    let offered = |text: &str| {
+        let found = offers(text).into_iter().find(|offer| offer.label == "fabricate as planks");
+        found.map_or(String::new(), |offer| offer.snippet)
+    };
+    assert!(offered(&format!("{text}fabr$0")).starts_with("fabricate ${1:rail} as"));
+    let none = text.replace("figure rail", "let rail");
+    assert!(offered(&format!("{none}fabr$0")).starts_with("fabricate ${1:figure} as"));
+}
+
+#[test]
 fn names_in_scope_by_what_fits() {
     let head = "param span: Length = 6m\nlet turns = 4\nlet wide = true\nlet angle = 30deg\n";
     first(&format!("{head}let x: Length = $0"), "span");

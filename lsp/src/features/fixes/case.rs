@@ -12,10 +12,18 @@ use crate::features::words::written;
 pub(super) fn renamed(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     let Some(new) = found.fixes().next().and_then(|fix| fix.edits.first()) else { return Vec::new() };
     let old = written(analysis, found.span);
-    let mut places: Vec<Span> = words(analysis, found.span)
-        .into_iter()
-        .filter(|token| token.kind == TokenKind::Name && written(analysis, token.span) == old)
-        .map(|token| token.span)
+    let words = words(analysis, found.span);
+    // A type of that name keeps it.
+    let is_type = |at: usize| {
+        let before = at.checked_sub(1).map(|before| words[before].kind);
+        matches!(before, Some(TokenKind::Colon | TokenKind::Arrow))
+    };
+    let mut places: Vec<Span> = words
+        .iter()
+        .enumerate()
+        .filter(|(_, token)| token.kind == TokenKind::Name && written(analysis, token.span) == old)
+        .filter(|(at, token)| token.span == found.span || !is_type(*at))
+        .map(|(_, token)| token.span)
         .collect();
     if places.len() < 2 {
         return Vec::new();

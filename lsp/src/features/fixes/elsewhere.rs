@@ -2,6 +2,7 @@
 
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::diagnostic::{Diagnostic, Fix};
+use ifs_compiler::syntax::ast::ItemKind;
 
 use super::dropped;
 use crate::features::completion::to_import;
@@ -15,7 +16,14 @@ pub(super) fn imported(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     let has = library.filter(|module| module.public.iter().any(|public| public.name == name));
     let module = has.max_by_key(|module| module.is_prelude());
     let Some(module) = module else { return Vec::new() };
-    if module.is_prelude() {
+    let taken = analysis.files.iter().flat_map(|file| &file.parse.ast.items).any(|item| match &item.kind {
+        ItemKind::Use(other) => {
+            let names = || other.names.iter().any(|other| other.text == name);
+            item.span.file == whole.file && other.module.written() == module.title && names()
+        }
+        _ => false,
+    });
+    if module.is_prelude() || taken {
         return dropped::import(analysis, found);
     }
     let title = format!("import `{name}` from `{}` instead", module.title);

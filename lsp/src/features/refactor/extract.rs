@@ -5,7 +5,9 @@ use ifs_compiler::diagnostic::Edit;
 use ifs_compiler::hir::index::Target;
 use ifs_compiler::source::Span;
 use ifs_compiler::syntax::TokenKind;
-use ifs_compiler::syntax::ast::{BinaryOperator, Expr, ExprKind, Ifs, Item, ItemKind, MemberKind, TestStep};
+use ifs_compiler::syntax::ast::{
+    BinaryOperator, Clause, Expr, ExprKind, Ifs, Item, ItemKind, MemberKind, TestStep,
+};
 
 use super::{Refactoring, line_of, typed};
 use crate::features::fixes::expression_at;
@@ -151,7 +153,10 @@ fn is_always_worked_out(item: &Item, span: Span) -> bool {
             good &= !matches!(expr.kind, ExprKind::Name(_));
         } else if around_of(expr.span, span) {
             good &= match &expr.kind {
-                ExprKind::Comprehension { .. } => false,
+                // What the first numbers run through is worked out once, all the rest for each of them.
+                ExprKind::Comprehension { clauses, .. } => {
+                    matches!(clauses.first(), Some(Clause::For(_, list)) if around_of(list.span, span))
+                }
                 ExprKind::If(condition, ..) => around_of(condition.span, span),
                 ExprKind::Binary(operator, _, left, _) => {
                     !matches!(operator, BinaryOperator::And | BinaryOperator::Or)

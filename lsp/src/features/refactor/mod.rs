@@ -192,8 +192,22 @@ mod tests {
     }
 
     #[test]
+    fn what_a_list_runs_through() {
+        let (_, new) = extracted("let a = [i * 2 for i in «[3, 1 + 1]» if i > 1]\n").unwrap();
+        assert_eq!(new, "let value = [3, 1 + 1]\nlet a = [i * 2 for i in value if i > 1]\n");
+        let test =
+            format!("{ARCH}test \"t\" {{\n    assert max([b.length for b in «arch.boards»]) > 1mm\n}}\n");
+        let (_, new) = extracted(&test).unwrap();
+        assert!(
+            new.contains("    let value = arch.boards\n    assert max([b.length for b in value]) > 1mm\n"),
+            "{new}"
+        );
+    }
+
+    #[test]
     fn what_would_mean_something_else_stays() {
         for text in [
+            "let a = [j for i in 0..3 for j in «[1, 2]»]\n",
             "let a = [«i * 2» for i in 0..3]\n",
             "let a = [«1 / 2» for i in 0..3]\n",
             "let a = if 1 < 2 then 3 else «1 / 4»\n",
