@@ -13,8 +13,8 @@ use crate::exit::Exit;
 use crate::output;
 use crate::project::Project;
 
-/// How many designs of a project are looked for, and how deep.
-const MOST_DESIGNS: usize = 2_000;
+/// How many files of a kind are looked for in a project, and how deep.
+const MOST_FILES: usize = 2_000;
 const MOST_FOLDERS: usize = 20;
 
 /// Serves until the client is done.
@@ -49,9 +49,9 @@ impl Projects for Disk {
         })
     }
 
-    fn designs(&self, folder: &Path) -> Vec<PathBuf> {
+    fn files(&self, folder: &Path, ending: &str) -> Vec<PathBuf> {
         let mut found = Vec::new();
-        below(folder, 0, &mut found);
+        below(folder, ending, 0, &mut found);
         found.sort();
         found
     }
@@ -80,11 +80,11 @@ fn put(module: &str) -> Option<PathBuf> {
     Some(path)
 }
 
-/// The designs of a folder and those in it; what is built and what is hidden is none.
-fn below(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
+/// The files of that ending in a folder and those in it, without what is built and what is hidden.
+fn below(folder: &Path, ending: &str, depth: usize, found: &mut Vec<PathBuf>) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
-        if found.len() >= MOST_DESIGNS {
+        if found.len() >= MOST_FILES {
             return;
         }
         let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());
@@ -92,9 +92,9 @@ fn below(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
         if kind.is_dir() {
             let passed = name.starts_with('.') || name == "out" || name == "target" || name == "node_modules";
             if !passed && depth < MOST_FOLDERS {
-                below(&path, depth + 1, found);
+                below(&path, ending, depth + 1, found);
             }
-        } else if kind.is_file() && path.extension().is_some_and(|ending| ending == "ifs") {
+        } else if kind.is_file() && path.extension().is_some_and(|is| is == ending) {
             found.push(path);
         }
     }

@@ -47,6 +47,8 @@ pub struct ProjectFile {
     pub parse: Parse,
     /// Where it names files it uses, and which: those that could be read.
     pub uses: Vec<(Span, FileId)>,
+    /// Where it names meshes that there are, and their paths from the root of the project.
+    pub meshes: Vec<(Span, String)>,
     /// Where it names meshes, and what they are.
     pub imports: Vec<(Span, ImportedMesh)>,
     /// Whether all of it could be read.
@@ -91,6 +93,7 @@ pub(super) fn load(files: &dyn Files, root: &str, machine: Option<&MachineName>)
                 path: root.to_owned(),
                 parse: Parse::default(),
                 uses: Vec::new(),
+                meshes: Vec::new(),
                 imports: Vec::new(),
                 readable: false,
             });
@@ -173,6 +176,7 @@ impl Loader<'_> {
             path: path.to_owned(),
             parse,
             uses: Vec::new(),
+            meshes: Vec::new(),
             imports: Vec::new(),
             readable,
         });

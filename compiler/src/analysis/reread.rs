@@ -36,6 +36,7 @@ pub fn with_item_changed(analysis: &Analysis, span: Span, text: &str) -> Option<
         path: file.path.clone(),
         parse,
         uses: Vec::new(),
+        meshes: Vec::new(),
         imports: Vec::new(),
         readable: true,
     };

@@ -44,7 +44,7 @@ fn ask(text: &str, at: u32) {
     let analysis = read_indexed(&files, "design.ifs", &Overrides::default());
     let root = analysis.root;
     let whole = Span::new(root, 0, text.len() as u32);
-    let paths = ["design.ifs".to_owned(), "parts/a.ifs".to_owned()];
+    let paths = || vec!["design.ifs".to_owned(), "parts/a.ifs".to_owned()];
     if let Some(found) = completion::completion(&analysis, root, at, &paths) {
         assert!(found.span.start <= at && at <= found.span.end, "{:?} at {at}", found.span);
         assert!(text.get(found.span.range()).is_some_and(|word| !word.contains('\n')), "{:?}", found.span);

@@ -28,7 +28,7 @@ pub(super) fn actions(snapshot: &Snapshot, range: Range, context: &CodeActionCon
             let mut mends = fixes::mends(&snapshot.analysis, found_here);
             mends.extend(imports(snapshot, found_here));
             mends.extend(siblings(snapshot, found_here));
-            mends.extend(fixes::nearest(&snapshot.analysis, found_here, &paths(snapshot)));
+            mends.extend(fixes::nearest(&snapshot.analysis, found_here, &|| paths(snapshot)));
             let mends = judged(snapshot, found_here, mends);
             found.extend(mends.into_iter().filter_map(|mend| quick_fix(snapshot, mend, &told)));
         }

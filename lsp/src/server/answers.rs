@@ -1,7 +1,7 @@
 //! Answers in the protocol's types, each from one feature.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ifs_compiler::analysis::{Analysis, read_indexed};
 use ifs_compiler::hir::index::{DeclarationKind, Target};
@@ -195,10 +195,15 @@ pub(super) fn format(snapshot: &Snapshot) -> Option<Vec<TextEdit>> {
 }
 
 pub(super) fn links(snapshot: &Snapshot) -> Vec<DocumentLink> {
-    let found = links::links(&snapshot.analysis, snapshot.analysis.root);
-    let to = found.into_iter().filter_map(|(span, file)| {
-        let target = snapshot.uri(&snapshot.places.path(&snapshot.analysis, file)?)?;
-        Some(DocumentLink { range: snapshot.range(span), target: Some(target), tooltip: None, data: None })
-    });
-    to.collect()
+    let root = snapshot.analysis.root;
+    let link = |span, path: &Path| {
+        let target = Some(snapshot.uri(path)?);
+        Some(DocumentLink { range: snapshot.range(span), target, tooltip: None, data: None })
+    };
+    let modules = links::links(&snapshot.analysis, root).into_iter();
+    let modules =
+        modules.filter_map(|(span, file)| link(span, &snapshot.places.path(&snapshot.analysis, file)?));
+    let meshes = links::meshes(&snapshot.analysis, root).iter();
+    let meshes = meshes.filter_map(|(span, path)| link(*span, &snapshot.places.root.join(path)));
+    modules.chain(meshes).collect()
 }

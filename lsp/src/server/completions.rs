@@ -14,28 +14,29 @@ pub(super) fn completion(
     snippets: bool,
 ) -> Option<CompletionResponse> {
     let root = snapshot.analysis.root;
-    let found =
-        completion::completion(&snapshot.analysis, root, snapshot.offset(position), &paths(snapshot))?;
+    let paths = || paths(snapshot);
+    let found = completion::completion(&snapshot.analysis, root, snapshot.offset(position), &paths)?;
     let range = snapshot.range(found.span);
     let items = found.offers.into_iter().enumerate();
     let items = items.map(|(place, offer)| item(snapshot, range, place, offer, snippets));
     Some(CompletionResponse::List(CompletionList { is_incomplete: !found.complete, items: items.collect() }))
 }
 
-/// The designs of the project, from its root, and the meshes that it reads already.
+/// The designs and the meshes of the project, from its root.
 pub(super) fn paths(snapshot: &Snapshot) -> Vec<String> {
     let root = &snapshot.places.root;
-    let designs = snapshot.places.projects.designs(root);
+    let projects = &snapshot.places.projects;
     let open = snapshot.open.keys().cloned();
-    let mut paths: Vec<String> = designs
+    let mut paths: Vec<String> = projects
+        .designs(root)
         .into_iter()
+        .chain(projects.files(root, "glb"))
         .chain(open)
         .filter_map(|path| {
             let parts = path.strip_prefix(root).ok()?.iter().map(|part| part.to_str());
             Some(parts.collect::<Option<Vec<&str>>>()?.join("/"))
         })
         .collect();
-    paths.extend(snapshot.analysis.meshes.iter().map(|mesh| mesh.path.clone()));
     paths.sort();
     paths.dedup();
     paths

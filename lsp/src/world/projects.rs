@@ -13,8 +13,13 @@ pub trait Projects: Send + Sync {
     /// of an `ifs.toml` goes before the one on disk.
     fn project(&self, path: &Path, open: &dyn Fn(&Path) -> Option<String>) -> Option<Project>;
 
+    /// Every file below a folder whose name ends so, in order: `ifs` or `glb`.
+    fn files(&self, folder: &Path, ending: &str) -> Vec<PathBuf>;
+
     /// Every design below a folder, in order.
-    fn designs(&self, folder: &Path) -> Vec<PathBuf>;
+    fn designs(&self, folder: &Path) -> Vec<PathBuf> {
+        self.files(folder, "ifs")
+    }
 
     /// Where a module of the library can be read as a file: `curves`.
     fn library(&self, module: &str) -> Option<PathBuf>;

@@ -210,7 +210,7 @@ impl Projects for Failing {
         })
     }
 
-    fn designs(&self, _: &Path) -> Vec<PathBuf> {
+    fn files(&self, _: &Path, _: &str) -> Vec<PathBuf> {
         panic!("as this test wants it");
     }
 

@@ -23,6 +23,7 @@ mod lsp_actions;
 mod lsp_capabilities;
 mod lsp_editors;
 mod lsp_edits;
+mod lsp_meshes;
 mod lsp_plain;
 mod lsp_progress;
 mod lsp_project_file;

@@ -51,8 +51,18 @@ impl Loader<'_> {
         let from = file.path.clone();
         for written in named {
             let mesh = self.imported(&from, &written);
+            if let Some(path) = self.there(&from, &written) {
+                self.found[place].meshes.push((written.span, path));
+            }
             self.found[place].imports.push((written.span, mesh));
         }
+    }
+
+    /// The path of a mesh that could be read.
+    fn there(&self, from: &str, written: &TextLiteral) -> Option<String> {
+        let path = paths::path(from, &written.value).ok()?;
+        let missing = matches!(self.meshes.known.get(&path)?, Err(MeshFailure::NotRead(_)));
+        (!missing).then_some(path)
     }
 
     fn imported(&mut self, from: &str, written: &TextLiteral) -> ImportedMesh {

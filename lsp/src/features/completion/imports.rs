@@ -13,7 +13,11 @@ use crate::features::tokens::Before;
 use crate::features::words::written;
 
 /// The modules of the library; behind `use` alone the files of the project too.
-pub(super) fn modules(analysis: &Analysis, before: &Before<'_>, paths: &[String]) -> Vec<Offer> {
+pub(super) fn modules(
+    analysis: &Analysis,
+    before: &Before<'_>,
+    paths: &dyn Fn() -> Vec<String>,
+) -> Vec<Offer> {
     let library = analysis.index.modules.iter().filter(|module| module.library && !module.is_prelude());
     let dotted = before.back(1) == Some(TokenKind::Dot);
     if dotted && before.back_text(2) != "std" {
@@ -29,7 +33,7 @@ pub(super) fn modules(analysis: &Analysis, before: &Before<'_>, paths: &[String]
         })
         .collect();
     if !dotted {
-        offers.extend(files(analysis, before.word.file, paths).into_iter().map(|path| {
+        offers.extend(files(analysis, before.word.file, &paths()).into_iter().map(|path| {
             let quoted = format!("\"{path}\"");
             let snippet = format!("{}{brackets}", super::snippets::escaped(&quoted));
             Offer::new(&quoted, Kind::File).snippet(snippet).rank(1)
@@ -67,17 +71,17 @@ pub(super) fn paths(
     analysis: &Analysis,
     before: &Before<'_>,
     token: Token,
-    paths: &[String],
+    paths: &dyn Fn() -> Vec<String>,
 ) -> Option<(Span, Vec<Offer>)> {
     let text = written(analysis, token.span);
     let closed = text.len() > 1 && text.ends_with('"');
     let span = Span::new(token.span.file, token.span.start + 1, token.span.end - u32::from(closed));
     let imports = before.back(1) == Some(TokenKind::OpenParenthesis) && before.back_text(2) == "import";
     let found = if before.back(1) == Some(TokenKind::Use) {
-        files(analysis, token.span.file, paths)
+        files(analysis, token.span.file, &paths())
     } else if imports {
         let own = analysis.sources.get(token.span.file).map_or("", |source| source.path.as_str());
-        paths.iter().filter(|path| path.ends_with(".glb")).map(|path| relative(own, path)).collect()
+        paths().iter().filter(|path| path.ends_with(".glb")).map(|path| relative(own, path)).collect()
     } else {
         return None;
     };

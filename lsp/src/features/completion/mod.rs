@@ -121,12 +121,12 @@ pub(crate) struct Completion {
 /// How many offers are told at once: nobody reads more, and a client is slow with thousands.
 const MOST_OFFERS: usize = 300;
 
-/// What can be written at a place; `paths` are the files of the project, from its root.
+/// What can be written at a place; `paths` gives the files of the project, from its root.
 pub(crate) fn completion(
     analysis: &Analysis,
     file: FileId,
     offset: u32,
-    paths: &[String],
+    paths: &dyn Fn() -> Vec<String>,
 ) -> Option<Completion> {
     let (span, mut offers) = match cursor(analysis, file, offset)? {
         Cursor::Comment => return None,
@@ -177,7 +177,7 @@ fn is_sound(analysis: &Analysis, file: FileId) -> bool {
     file.is_some_and(|file| file.parse.diagnostics.is_empty())
 }
 
-fn code(analysis: &Analysis, before: &Before<'_>, paths: &[String]) -> Vec<Offer> {
+fn code(analysis: &Analysis, before: &Before<'_>, paths: &dyn Fn() -> Vec<String>) -> Vec<Offer> {
     let place = place(before);
     match &place {
         Place::Nothing => return Vec::new(),

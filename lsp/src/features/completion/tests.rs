@@ -11,7 +11,7 @@ use crate::features::fixture::{fixture, with_files};
 fn offers(text: &str) -> Vec<Offer> {
     let design = fixture(text);
     let paths = ["design.ifs", "parts/ribs.ifs", "joint.glb"].map(str::to_owned);
-    completion(&design.analysis, design.analysis.root, design.at, &paths)
+    completion(&design.analysis, design.analysis.root, design.at, &|| paths.to_vec())
         .map_or(Vec::new(), |found| found.offers)
 }
 

@@ -8,15 +8,16 @@ use super::Mend;
 use crate::features::completion::relative;
 use crate::features::words::written;
 
-/// The paths of files of that name elsewhere, else the one that is written most like it; `paths` are those of the project,
+/// The paths of files of that name elsewhere, else the one that is written most like it; `paths` gives those of the project,
 /// from its root.
-pub(crate) fn nearest(analysis: &Analysis, found: &Diagnostic, paths: &[String]) -> Vec<Mend> {
+pub(crate) fn nearest(analysis: &Analysis, found: &Diagnostic, paths: &dyn Fn() -> Vec<String>) -> Vec<Mend> {
     let text = written(analysis, found.span).strip_prefix('"').and_then(|text| text.strip_suffix('"'));
     let (Code::E0306, Some(text), Some(source)) = (found.code, text, analysis.sources.get(found.span.file))
     else {
         return Vec::new();
     };
     let ending = name(text).rsplit_once('.').map_or(".ifs".to_owned(), |(_, ending)| format!(".{ending}"));
+    let paths = paths();
     let others = paths.iter().filter(|path| **path != source.path && path.ends_with(&ending));
     let others: Vec<String> = others.map(|path| relative(&source.path, path)).collect();
     let mut meant: Vec<&str> =
@@ -49,7 +50,7 @@ mod tests {
             let design = fixture(text);
             let paths: Vec<String> = paths.iter().map(|path| (*path).to_owned()).collect();
             let found = design.analysis.diagnostics.iter();
-            let mends = found.flat_map(|found| nearest(&design.analysis, found, &paths));
+            let mends = found.flat_map(|found| nearest(&design.analysis, found, &|| paths.clone()));
             mends.map(|mend| mend.title).collect::<Vec<_>>()
         };
         let paths = ["design.ifs", "parts/ribs.ifs", "parts/roof.ifs", "node.glb"];
