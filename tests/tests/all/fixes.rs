@@ -167,7 +167,14 @@ const STEEP: &str =
 
 const LINE: &str = "figure f = c on ((0m, 0m), (1m, 1m)) at level 3\n";
 
+/// Points behind the name of a curve.
+const CALLED: &str = "use std.curves (bspline2)\nlet net = [(i * 1m, 0m) for i in 0..5]\nfigure f = bspline2(net) at level 2\n";
+
+const APART: &str = "use std.curves (line)\nfigure f = line((0m, 0m), (1m, 0m)) at level 2\n";
+
 const ROWS: &[Row] = &[
+    row("E0406", CALLED, "write `bspline2 on net`", "bspline2(net)", "bspline2 on net"),
+    row("E0406", APART, "write `line on (p, q, …)`", "line((0m", "line on ((0m"),
     row("E0408", "let w = [1m, 2m]\nlet a = w (1)\n", "pick an element with `[…]`", "w (1)", "w[1]"),
     row("E0602", "let w = [1m, 2m]\nlet a = w[0..7]\n", "take 0..2, to the end of the list", "0..7", "0..2"),
     row("E0552", STEEP, "begin at 250mm, which level 2 meets", "in 300mm", "in 250mm"),

@@ -127,6 +127,9 @@ impl Checker<'_> {
             let declared = self.items[id.0 as usize].name_span;
             return self.not_callable(message, (&ty, at), Some(declared), arguments, span);
         }
+        if self.refuse_points_in_brackets(frame, id, arguments, at, span) {
+            return error_expr(span);
+        }
         let bound = self.bind_item(frame, id, &name, arguments, at, span);
         let Some(values) = bound else { return error_expr(span) };
         let result = self.signature(id).result.or_else(|| self.types.get(&id).cloned());

@@ -19,6 +19,7 @@ mod native;
 mod native_values;
 mod operator;
 mod placement;
+mod points;
 mod record;
 mod records;
 mod scope;
