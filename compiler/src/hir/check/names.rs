@@ -127,7 +127,10 @@ impl Checker<'_> {
                 let name = self.items[id.0 as usize].name.clone();
                 let message = format!("`{name}` needs its arguments");
                 let diagnostic = Diagnostic::new(Code::E0401, span, message).label("not a value by itself");
-                self.report(diagnostic.hint(format!("write `{name}(…)`")));
+                let parameters = self.signature(id).parameters;
+                let needed = parameters.iter().filter(|parameter| parameter.required);
+                let needed: Vec<&str> = needed.map(|parameter| parameter.name.as_str()).collect();
+                self.report(diagnostic.hint(format!("write `{name}({})`", needed.join(", "))));
                 error_expr(span)
             }
             _ if self.is_broken(id) => error_expr(span),

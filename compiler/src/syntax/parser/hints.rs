@@ -1,5 +1,7 @@
 //! Ways out of the mistakes people make most: habits of other languages, a missing sign, a misspelt word.
 
+mod places;
+
 use super::expected::Expected;
 use super::message::Scene;
 use crate::diagnostic::{Diagnostic, closest};
@@ -40,6 +42,8 @@ pub(super) fn add(diagnostic: Diagnostic, scene: &Scene<'_>) -> Diagnostic {
         other_equals,
         loops,
         missing_let,
+        places::line_of_a_block,
+        places::made_as,
         foreign_word,
         misspelt,
         reserved,
@@ -339,7 +343,8 @@ fn habits(scene: &Scene<'_>) -> Option<Way> {
     if before.kind == TokenKind::Star && kind(scene.found) == Some(TokenKind::Star) {
         return say("there is no `**`: multiply, or call a function");
     }
-    if before.kind == TokenKind::Number(None) && kind(scene.found) == Some(TokenKind::Name) {
+    let same_line = scene.found.filter(|(found, _)| found.kind == TokenKind::Name && found.indent.is_none());
+    if before.kind == TokenKind::Number(None) && same_line.is_some() {
         return say("to multiply, write `*`");
     }
     None

@@ -175,12 +175,28 @@ fn hints_without_a_change() {
         ("use std.curves", "name what is used, in brackets: `use std.curves (bezier3)`"),
         ("let a = x ** 2", "there is no `**`: multiply, or call a function"),
         ("let a = 2 x", "to multiply, write `*`"),
+        (
+            "let a = 2\nrequire planarity >= 1",
+            "`require` stands in the braces of a `fabricate` block: `fabricate name as panels { require … }`",
+        ),
+        ("germ segment(a, b)", "`germ` stands in the braces of an ifs: `ifs name on (a, b) { … }`"),
+        ("assert a", "`assert` stands in the braces of a test: `test \"what is so\" { assert … }`"),
+        (
+            "fabricate a { board: b }",
+            "what is made of it stands behind `as`: `as panels` of a surface, `as planks` of a curve",
+        ),
         ("let a = 3cm2", "an area is written in mm2 or m2, or as a product: `(3cm * 1cm)`"),
         ("let a = 2in3", "a volume is written in mm3 or m3, or as a product: `(2in * 1in * 1in)`"),
         ("let a = (tool: 6mm)", "an argument with a name, like `tool:`, belongs to a call: `name(tool: …)`"),
     ] {
         assert_eq!(only(text).hints[0].text, hint, "{text}");
     }
+}
+
+#[test]
+fn nothing_is_multiplied_over_lines() {
+    let found = only("let a = 2\nx y");
+    assert!(found.hints.is_empty(), "{:?}", found.hints);
 }
 
 /// What stands in the braces of a loop is no mistake of its own.
