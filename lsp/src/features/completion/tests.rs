@@ -162,7 +162,7 @@ fn units_behind_a_number() {
     first("let x: Speed = 3$0", "mm/min m/min mm/s m/s");
     first("let x = sin(12d$0)", "deg rad");
     let design = fixture("let x = 1.5e2m$0m");
-    let found = completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap();
+    let found = completion(&design.analysis, design.analysis.root, design.at, &Vec::new).unwrap();
     assert_eq!((found.span.start, found.span.end), (13, 15));
 }
 
@@ -194,7 +194,7 @@ fn modules_and_what_they_offer() {
     has("ifs a in space {\n    germ import(\"$0\")\n}", "./joint.glb", "");
     let text = "use \"./ribs.ifs\" ($0)";
     let design = with_files(text, &[("ribs.ifs", "pub let rib = 2m\nlet hidden = 3m")]);
-    let found = completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap();
+    let found = completion(&design.analysis, design.analysis.root, design.at, &Vec::new).unwrap();
     assert_eq!(found.offers.iter().map(|offer| offer.label.as_str()).collect::<Vec<_>>(), ["rib"]);
 }
 
@@ -259,7 +259,7 @@ fn all_that_is_needed_as_one_snippet() {
     // What is written without places to fill in is a design that is right, with what it must import.
     let whole = |text: &str, label: &str| {
         let design = fixture(text);
-        let found = completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap();
+        let found = completion(&design.analysis, design.analysis.root, design.at, &Vec::new).unwrap();
         let offer = found.offers.into_iter().find(|offer| offer.label == label).unwrap();
         let mut new = text.replacen("$0", "", 1);
         new.replace_range(found.span.range(), offer.plain.as_ref().unwrap());
@@ -305,7 +305,7 @@ fn of_thousands_the_best_that_go_on_with_what_is_written() {
     let names: String = (0..2000).map(|at| format!("let bay_{at} = {at}mm\n")).collect();
     let found = |written: &str| {
         let design = fixture(&format!("{names}let tall: Length = {written}$0"));
-        completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap()
+        completion(&design.analysis, design.analysis.root, design.at, &Vec::new).unwrap()
     };
     let all = found("");
     assert_eq!((all.offers.len(), all.complete), (MOST_OFFERS, false));
@@ -317,5 +317,5 @@ fn of_thousands_the_best_that_go_on_with_what_is_written() {
 
 fn completion_of_few() -> Completion {
     let design = fixture("let wide = 3m\nlet tall: Length = $0");
-    completion(&design.analysis, design.analysis.root, design.at, &[]).unwrap()
+    completion(&design.analysis, design.analysis.root, design.at, &Vec::new).unwrap()
 }

@@ -34,7 +34,7 @@ fn every_word_is_offered_where_it_stands() {
             let mut cut = text.clone();
             cut.replace_range(span.range(), &format!("{left}$0"));
             let design = fixture(&cut);
-            let found = completion(&design.analysis, design.analysis.root, design.at, &[]);
+            let found = completion(&design.analysis, design.analysis.root, design.at, &Vec::new);
             let offers = found.map_or(Vec::new(), |found| found.offers);
             words += 1;
             if !offers.iter().any(|offer| offer.label.split([' ', ':', '.']).any(|part| part == word)) {
