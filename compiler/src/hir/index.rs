@@ -8,7 +8,8 @@ pub use names::{Known, ModuleNames, Origin, Parameter, Visible};
 
 use super::native::Native;
 use super::schema::{ChoiceKind, Measure, SchemaKind};
-use super::tree::ItemId;
+use super::size::SizeMeasure;
+use super::tree::{ItemId, Made};
 use super::types::Type;
 use crate::source::{FileId, Span};
 use std::collections::BTreeSet;
@@ -54,6 +55,10 @@ pub enum Target {
     Setting(SchemaKind, &'static str),
     /// A measure of a requirement.
     Measure(Measure),
+    /// What a level is found by.
+    Size(SizeMeasure),
+    /// What a test asks of a figure.
+    Made(Made),
     /// A word of a choice, by its place.
     Choice(ChoiceKind, usize),
 }

@@ -5,7 +5,7 @@ use crate::source::Span;
 use super::tree;
 
 /// What is measured of an element, mm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SizeMeasure {
     /// Its sides: the segment itself, the sides of a polygon, the axis of a strut.
     Edge,
@@ -30,6 +30,19 @@ impl SizeMeasure {
             SizeMeasure::Edge => "edge",
             SizeMeasure::Length => "length",
             SizeMeasure::Size => "size",
+        }
+    }
+
+    /// What it is, in a line for people.
+    pub fn doc(self) -> &'static str {
+        match self {
+            SizeMeasure::Edge => {
+                "the sides of each element: a segment itself, the sides of a polygon, the axis of a strut"
+            }
+            SizeMeasure::Length => "the length of each segment or strut",
+            SizeMeasure::Size => {
+                "the largest distance between two vertices of an element; of a strut, the length of its axis"
+            }
         }
     }
 }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use ifs_compiler::analysis::Analysis;
 use ifs_compiler::hir::index::{Declaration, DeclarationKind, Target};
 use ifs_compiler::hir::schema::{ChoiceKind, Measure, SchemaKind, SettingType};
-use ifs_compiler::hir::tree::{ItemId, ItemKind};
+use ifs_compiler::hir::tree::{ItemId, ItemKind, Made};
 use ifs_compiler::hir::type_names::type_name;
 use ifs_compiler::hir::types::Type;
 use ifs_compiler::hir::{ItemDocs, item_docs, library_docs, native_item_docs, native_parameter};
@@ -57,6 +57,10 @@ fn target(analysis: &Analysis, known: WorkedOut<'_>, target: Target) -> Option<S
         }
         Target::Setting(kind, name) => setting(analysis, kind, name),
         Target::Measure(measure) => Some(of_measure(measure)),
+        Target::Size(size) => {
+            Some(format!("{}\n---\n{}", code(&format!("until {}: Length", size.word())), size.doc()))
+        }
+        Target::Made(made) => of_made(made),
         Target::Choice(kind, place) => choice(kind, place),
     }
 }
@@ -214,6 +218,11 @@ fn setting(analysis: &Analysis, kind: SchemaKind, name: &str) -> Option<String> 
 fn of_measure(measure: Measure) -> String {
     let declared = code(&format!("require {}: {}", measure.words(), measure.dimension().name()));
     format!("{declared}\n---\n{}", measure.doc())
+}
+
+fn of_made(made: Made) -> Option<String> {
+    let (word, _, doc) = Made::ALL.into_iter().find(|(_, known, _)| *known == made)?;
+    Some(format!("{}\n---\n{doc}", code(word)))
 }
 
 fn choice(kind: ChoiceKind, place: usize) -> Option<String> {

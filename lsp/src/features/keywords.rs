@@ -138,6 +138,9 @@ mod tests {
         assert!(shown("param a: Len$0gth = 3m\n").contains("in `mm`, `cm`, `m`"));
         let untold: Vec<&str> = type_names().filter(|name| type_meaning(name).is_none()).collect();
         assert!(untold.is_empty(), "nothing is said of {untold:?}");
+        assert!(shown("figure f = g until ed$0ge <= 1m").contains("the sides of each element"));
+        let test = "use std.curves (line)\nfigure f = line on ((0m, 0m), (1m, 0m)) at level 2\ntest \"t\" { assert f.ver$0tices == 5 }\n";
+        assert!(shown(test).contains("joined ones counted once"));
         // A name that is such a word.
         let named = shown("let step = 3m\nlet a = st$0ep\n");
         assert!(named.contains("let step: Length") && !named.contains("can have"), "{named}");

@@ -168,7 +168,9 @@ fn names(analysis: &Analysis, file: FileId) -> Names {
             Target::Module(_) => (Meaning::Module, 0),
             Target::Native(_) => (Meaning::Function, LIBRARY),
             Target::NativeParameter(..) => (Meaning::Parameter, LIBRARY),
-            Target::Setting(..) | Target::Measure(_) => (Meaning::Property, LIBRARY),
+            Target::Setting(..) | Target::Measure(_) | Target::Size(_) | Target::Made(_) => {
+                (Meaning::Property, LIBRARY)
+            }
             Target::Choice(..) => (Meaning::Choice, 0),
         };
         names.insert(used.span.start, (used.span.end, meaning, modifiers));

@@ -8,6 +8,7 @@ use std::fs;
 use ifs_compiler::analysis::{Analysis, read_indexed};
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::hir::index::Target;
+use ifs_compiler::hir::tree::Made;
 use ifs_compiler::source::MemoryFiles;
 use ifs_compiler::syntax::TokenKind;
 use ifs_tests::root;
@@ -74,6 +75,11 @@ fn what_a_name_stands_for_bears_it() {
                 Target::Setting(_, name) => (written(&analysis, reference.span), name.to_owned()),
                 Target::Choice(kind, place) => {
                     (written(&analysis, reference.span), kind.words()[place].name.to_owned())
+                }
+                Target::Size(size) => (written(&analysis, reference.span), size.word().to_owned()),
+                Target::Made(made) => {
+                    let known = Made::ALL.into_iter().find(|(_, known, _)| *known == made);
+                    (written(&analysis, reference.span), known.unwrap().0.to_owned())
                 }
                 Target::Module(_) | Target::NativeParameter(..) | Target::Measure(_) => continue,
             };

@@ -2,7 +2,7 @@
 
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::hir::index::DeclarationKind;
+use crate::hir::index::{DeclarationKind, Target};
 use crate::hir::tree::{Expr, ExprKind, ItemId, Made, Test, TestStep};
 use crate::hir::types::Type;
 use crate::source::Span;
@@ -78,6 +78,7 @@ impl Checker<'_> {
             self.report(diagnostic.hint("write it in a test: `test \"…\" { assert … }`"));
             return Some(error_expr(span));
         }
+        self.refer(name.span, Target::Made(made));
         let ty = match made {
             Made::Elements | Made::Vertices => self.planned(item, name, base.span)?,
             Made::Boards => self.board_type(item, base.span)?,

@@ -2,6 +2,7 @@
 
 use super::{Checker, Frame, error_expr};
 use crate::diagnostic::{Code, Diagnostic, Fix, closest};
+use crate::hir::index::Target;
 use crate::hir::size::{SizeMeasure, UntilExpr};
 use crate::hir::tree::{Expr, ExprKind, Limit};
 use crate::hir::types::Type;
@@ -46,6 +47,9 @@ impl Checker<'_> {
 
     fn size_measure(&mut self, measure: &ast::Name) -> Option<SizeMeasure> {
         let known = SizeMeasure::named(&measure.text);
+        if let Some(size) = known {
+            self.refer(measure.span, Target::Size(size));
+        }
         if known.is_none() {
             let message = format!("`{}` is nothing a level is found by", measure.text);
             let diagnostic =

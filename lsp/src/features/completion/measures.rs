@@ -66,7 +66,10 @@ fn limits_of(measure: Measure) -> Vec<Offer> {
 pub(super) fn sizes() -> Vec<Offer> {
     let sizes = SizeMeasure::ALL.into_iter();
     sizes
-        .map(|size| Offer::new(size.word(), Kind::Measure).snippet(format!("{} <= ${{1:20mm}}", size.word())))
+        .map(|size| {
+            let offer = Offer::new(size.word(), Kind::Measure).docs(size.doc());
+            offer.snippet(format!("{} <= ${{1:20mm}}", size.word()))
+        })
         .collect()
 }
 
