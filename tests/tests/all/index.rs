@@ -16,7 +16,7 @@ use ifs_tests::sources::files;
 
 /// Names that stand for nothing declared: words in their places, built-in types, coordinates and the like.
 const WORDS: &str = "as by step level until each join boundary start end germ keep transform plane space require assert \
-    and or not std edge size length panels planks x y z boards elements vertices limit control diagonal \
+    and or not std panels planks x y z control diagonal \
     bend radius material";
 
 fn designs() -> Vec<(String, Analysis)> {

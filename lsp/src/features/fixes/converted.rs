@@ -19,6 +19,7 @@ pub(super) fn fitting(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
     let Some(expr) = expression_at(analysis, found.span) else { return Vec::new() };
     let is = index.types.iter().find(|(span, _)| *span == found.span).map(|(_, ty)| ty);
     match (&expr.kind, is) {
+        (ExprKind::Number { digits, .. }, _) if *needed == Type::Int => whole_numbers(expr, digits),
         (ExprKind::Number { digits, unit: Some(unit) }, _) => other_units(expr, digits, *unit, needed),
         (_, Some(Type::Record(id))) => {
             let name = analysis.hir.item(*id).name_span;
@@ -35,6 +36,16 @@ pub(super) fn fitting(analysis: &Analysis, found: &Diagnostic) -> Vec<Fix> {
         }
         _ => Vec::new(),
     }
+}
+
+/// The whole numbers next to what is written, without its unit.
+fn whole_numbers(expr: &Expr, digits: &str) -> Vec<Fix> {
+    let Some(number) = digits.parse::<f64>().ok().filter(|number| number.abs() < 1e9) else {
+        return Vec::new();
+    };
+    let mut whole = vec![number.floor(), number.ceil()];
+    whole.dedup();
+    whole.into_iter().map(|number| Fix::replacing(expr.span, format!("{number:.0}"))).collect()
 }
 
 /// The same digits with each unit of another dimension.
