@@ -38,6 +38,8 @@ pub fn read_project(file: FileId, text: &str) -> (ProjectSettings, Vec<Diagnosti
         }
         None => reader.table(table.get_ref()),
     }
+    // The table has its keys in the order of the alphabet.
+    reader.diagnostics.sort_by_key(|found| found.span);
     (reader.settings, reader.diagnostics)
 }
 
@@ -219,11 +221,11 @@ mod tests {
 
     #[test]
     fn an_unknown_key_stands_where_it_is_written() {
-        let (_, found) = read_project(FileId(0), "outt = \"made\"\nspan = \"7m\"\n");
+        let (_, found) = read_project(FileId(0), "span = \"7m\"\noutt = \"made\"\n");
         assert_eq!(found.len(), 2);
         assert!(found.iter().all(|found| found.code == Code::E0314));
-        assert_eq!(found[0].hints[0].text, "did you mean `out`?");
-        assert_eq!((found[1].span.start, found[1].span.end), (14, 18));
+        assert_eq!((found[0].span.start, found[0].span.end), (0, 4));
+        assert_eq!(found[1].hints[0].text, "did you mean `out`?");
     }
 
     #[test]
