@@ -12,6 +12,9 @@ pub const MAX_DECIMAL_DIGITS: usize = 100;
 /// Largest absolute value of a literal's written exponent: within the range of doubles, which reach 1.8e308.
 pub const MAX_DECIMAL_EXPONENT: u32 = 300;
 
+/// Digits of significand and power of ten together with which both fit in 64 bits.
+const FEW_DIGITS: usize = 18;
+
 /// Why a text is no decimal literal of this language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DecimalError {
@@ -65,15 +68,26 @@ impl Rational {
         if digits > MAX_DECIMAL_DIGITS {
             return Err(DecimalError::TooManyDigits { digits });
         }
+        let scale = exponent - fraction.len() as i32;
+        if digits + scale.unsigned_abs() as usize <= FEW_DIGITS {
+            return few_digits(whole, fraction, scale).ok_or(DecimalError::Malformed);
+        }
         let significand =
             format!("{whole}{fraction}").parse::<BigInt>().map_err(|_| DecimalError::Malformed)?;
         // At most 100 digits and an exponent of 300: the power of ten has at most 400 digits.
-        let scale = exponent - fraction.len() as i32;
         let power = BigInt::from(10).pow(scale.unsigned_abs());
         let (numerator, denominator) =
             if scale < 0 { (significand, power) } else { (significand * power, BigInt::from(1)) };
         Rational::from_integers(numerator, denominator).ok_or(DecimalError::Malformed)
     }
+}
+
+/// The same where significand and power of ten fit in 64 bits.
+fn few_digits(whole: &str, fraction: &str, scale: i32) -> Option<Rational> {
+    let digits = whole.bytes().chain(fraction.bytes()).map(|byte| i64::from(byte - b'0'));
+    let significand = digits.fold(0, |number, digit| 10 * number + digit);
+    let power = 10_i64.pow(scale.unsigned_abs());
+    if scale < 0 { Rational::new(significand, power) } else { Rational::new(significand * power, 1) }
 }
 
 fn is_digits(text: &str) -> bool {
