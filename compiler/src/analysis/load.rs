@@ -8,11 +8,12 @@ pub(super) mod problems;
 
 pub use meshes::MeshFile;
 
+use super::earlier::Earlier;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::hir::evaluate::MachineName;
 use crate::hir::{ImportedMesh, LIBRARY};
 use crate::source::{FileId, Files, ReadError, Source, SourceMap, Span};
-use crate::syntax::{Parse, ast, parse};
+use crate::syntax::{Parse, ast, parse, parse_again};
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
@@ -68,10 +69,16 @@ pub(super) struct Loaded {
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads a design, and the file of a machine that is named from outside.
-pub(super) fn load(files: &dyn Files, root: &str, machine: Option<&MachineName>) -> Loaded {
+/// Reads a design, and the file of a machine that is named from outside; `before` is what it was some edits ago.
+pub(super) fn load(
+    files: &dyn Files,
+    root: &str,
+    machine: Option<&MachineName>,
+    before: Option<Earlier>,
+) -> Loaded {
     let mut loader = Loader {
         files,
+        before,
         sources: SourceMap::default(),
         found: Vec::new(),
         known: BTreeMap::new(),
@@ -135,10 +142,6 @@ pub(super) fn library() -> &'static Library {
     })
 }
 
-fn parse_of(sources: &SourceMap, file: FileId) -> Parse {
-    sources.get(file).map(parse).unwrap_or_default()
-}
-
 /// Why a path leads to no file.
 #[derive(Clone, Debug)]
 enum Failure {
@@ -149,6 +152,7 @@ enum Failure {
 
 struct Loader<'f> {
     files: &'f dyn Files,
+    before: Option<Earlier>,
     sources: SourceMap,
     found: Vec<ProjectFile>,
     /// Every path met, with the place of the file it leads to.
@@ -168,7 +172,7 @@ impl Loader<'_> {
         let (text, wrong) = decode(bytes);
         let file = self.sources.add(path, text);
         self.diagnostics.extend(wrong.map(|(at, byte)| problems::no_text(file, at, byte)));
-        let parse = parse_of(&self.sources, file);
+        let parse = self.parse(file);
         let readable = wrong.is_none();
         self.known.insert(path.to_owned(), Ok(place));
         self.found.push(ProjectFile {
@@ -181,6 +185,14 @@ impl Loader<'_> {
             readable,
         });
         place
+    }
+
+    fn parse(&mut self, file: FileId) -> Parse {
+        let Some(source) = self.sources.get(file) else { return Parse::default() };
+        match self.before.as_mut().and_then(|before| before.take(&source.path)) {
+            Some((before, known)) => parse_again(source, &before, known),
+            None => parse(source),
+        }
     }
 
     /// The file of a machine that is named from outside; `None` after a report.

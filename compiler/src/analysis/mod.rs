@@ -2,6 +2,7 @@
 //! language server and preview read this one analysis; there is no second.
 
 mod cascades;
+mod earlier;
 mod fabrication;
 mod load;
 mod machine;
@@ -18,6 +19,7 @@ mod single;
 mod testing;
 mod watch;
 
+pub use earlier::Earlier;
 pub use fabrication::{
     Elements, Fabrication, Nest, PanelFigure, PanelsMade, PlankFigure, PlanksMade, Programs,
 };
@@ -158,12 +160,17 @@ pub fn mended(analysis: &Analysis, overrides: &Overrides, watch: &mut dyn Watch)
 
 /// A design as far as its typed tree: nothing is worked out.
 pub fn read(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
-    read_by(check, files, root, overrides)
+    read_by(check, files, root, overrides, None)
 }
 
 /// The same with its index of names and types, for an editor.
 pub fn read_indexed(files: &dyn Files, root: &str, overrides: &Overrides) -> Analysis {
-    read_by(check_indexed, files, root, overrides)
+    read_by(check_indexed, files, root, overrides, None)
+}
+
+/// The same, quicker where most of the files are as they were before.
+pub fn read_indexed_again(files: &dyn Files, root: &str, overrides: &Overrides, before: Earlier) -> Analysis {
+    read_by(check_indexed, files, root, overrides, Some(before))
 }
 
 fn read_by(
@@ -171,8 +178,9 @@ fn read_by(
     files: &dyn Files,
     root: &str,
     overrides: &Overrides,
+    before: Option<Earlier>,
 ) -> Analysis {
-    let loaded = load::load(files, root, overrides.machine.as_ref());
+    let loaded = load::load(files, root, overrides.machine.as_ref(), before);
     let root = loaded.files.first().map_or(FileId(0), |file| file.file);
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(loaded.diagnostics);

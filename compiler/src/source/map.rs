@@ -61,6 +61,11 @@ impl SourceMap {
         self.sources.push(Arc::clone(source));
     }
 
+    /// The source of an identity, to be kept.
+    pub(crate) fn shared(&self, id: FileId) -> Option<Arc<Source>> {
+        self.sources.get(id.0 as usize).map(Arc::clone)
+    }
+
     /// The source of an identity.
     pub fn get(&self, id: FileId) -> Option<&Source> {
         self.sources.get(id.0 as usize).map(Arc::as_ref)

@@ -3,6 +3,7 @@
 //! [`ExprKind::Error`]; a diagnostic has been given for each.
 
 mod ifs;
+pub(super) mod moved;
 
 pub use super::unit::Unit;
 pub use ifs::{ControlPoint, Ifs, JoinPart, Member, MemberKind, Space, Transform};

@@ -15,9 +15,6 @@ pub(super) fn attach(source: &Source, tokens: &[Token], file: &mut File, said: &
     let start = first.map_or(source.text.len() as u32, |token| token.span.start);
     file.first = Span::new(source.id, start, start);
     let mut docs = collect(source, tokens, file, said);
-    if docs.is_empty() {
-        return;
-    }
     for item in &mut file.items {
         item.docs = docs.remove(&item.span.start).unwrap_or_default();
         match &mut item.kind {

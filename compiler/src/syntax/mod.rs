@@ -2,6 +2,7 @@
 //!
 //! Names and types are not looked up here, and parsing never fails.
 
+mod again;
 pub mod ast;
 mod docs;
 pub mod format;
@@ -19,6 +20,7 @@ mod tests;
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::source::{Source, Span};
+use again::Earlier;
 pub use imports::imported_paths;
 use limits::{MAX_BYTES, Said};
 pub use parser::MEASURES;
@@ -33,15 +35,22 @@ pub struct Parse {
     pub tokens: Vec<Token>,
     /// What is wrong, by place; at most [`limits::MAX_DIAGNOSTICS`].
     pub diagnostics: Vec<Diagnostic>,
+    /// Of each item whether it was read without a doubt: nothing is wrong in it, and nothing around it is put right.
+    pub(crate) sound: Vec<bool>,
 }
 
 /// Parses a text. Never fails; a good item is in the tree whatever stands around it.
 pub fn parse(source: &Source) -> Parse {
-    counted(source).0
+    counted(source, None).0
+}
+
+/// The same, quicker where much of the text is as it was before: `parse` is what `before` was.
+pub fn parse_again(source: &Source, before: &Source, parse: Parse) -> Parse {
+    counted(source, Earlier::of(source, before, parse)).0
 }
 
 /// Parses a text, and counts the lexemes the grammar has read for it.
-fn counted(source: &Source) -> (Parse, usize) {
+fn counted(source: &Source, mut earlier: Option<Earlier>) -> (Parse, usize) {
     if source.text.len() > MAX_BYTES {
         return (too_large(source), 0);
     }
@@ -49,15 +58,20 @@ fn counted(source: &Source) -> (Parse, usize) {
     let lexed = lexer::lex(source, &mut said);
     let mut lexemes = lexeme::lexemes(source, &lexed);
     lexeme::assign_roles(&mut lexemes);
-    let mut lexemes = repair::balance(lexemes, &mut said);
+    let (mut lexemes, unsound) = repair::balance(lexemes, &mut said);
     lexeme::assign_roles(&mut lexemes);
-    let items = parser::parse_items(&lexemes, repair::items(&lexemes), &mut said);
+    let mut read = |whole: Span| {
+        let before = unsound.partition_point(|region| region.start <= whole.start);
+        let sound = before.checked_sub(1).is_none_or(|last| unsound[last].end <= whole.start);
+        (sound, earlier.as_mut().filter(|_| sound).and_then(|earlier| earlier.take(whole)))
+    };
+    let (items, sound) = parser::parse_items(&lexemes, repair::items(&lexemes), &mut read, &mut said);
     let mut ast = ast::File { items, ..Default::default() };
     docs::attach(source, &lexed.tokens, &mut ast, &mut said);
     let steps = said.steps;
     let mut diagnostics = Diagnostics::default();
     diagnostics.extend(said.into_vec());
-    (Parse { ast, tokens: lexed.tokens, diagnostics: diagnostics.finish() }, steps)
+    (Parse { ast, tokens: lexed.tokens, diagnostics: diagnostics.finish(), sound }, steps)
 }
 
 /// A file that is not read: one token, no items, one diagnostic.
@@ -68,5 +82,5 @@ fn too_large(source: &Source) -> Parse {
     let diagnostic = Diagnostic::new(Code::E0108, Span::new(source.id, 0, 0), message)
         .hint("a design is a text of some pages: split it into several files with `use`");
     let tokens = vec![Token { kind: TokenKind::Error, span: whole }];
-    Parse { ast: ast::File::default(), tokens, diagnostics: vec![diagnostic] }
+    Parse { tokens, diagnostics: vec![diagnostic], ..Parse::default() }
 }

@@ -1,5 +1,6 @@
 //! The programs of `LANGUAGE.md`, the shapes of trees, the messages, the limits, and what holds for every text.
 
+mod again;
 mod format;
 mod language;
 mod lexing;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use ifs_compiler::analysis::{Analysis, read_indexed};
+use ifs_compiler::analysis::{Analysis, Earlier, read_indexed, read_indexed_again};
 use ifs_compiler::diagnostic::{Code, Diagnostic};
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::FileId;
@@ -57,8 +57,8 @@ impl Design {
     }
 }
 
-/// What is kept of a design while it is read anew. Its reading is let go first: room that is given back in one piece is
-/// taken again much quicker than room between what stays.
+/// What is kept of a design while it is read anew. Of its reading all but the trees is let go first: room that is given back
+/// in one piece is taken again much quicker than room between what stays.
 struct Before {
     /// The files it was made of.
     paths: Vec<String>,
@@ -67,9 +67,10 @@ struct Before {
 }
 
 impl Before {
-    fn of(design: Design) -> Before {
+    fn of(design: Design) -> (Before, Earlier) {
         let paths = paths(&design.analysis);
-        Before { paths, made: design.made, worked: design.worked }
+        let before = Before { paths, made: design.made, worked: design.worked };
+        (before, Earlier::of(design.analysis))
     }
 
     /// What still says something of the new reading.
@@ -157,12 +158,15 @@ impl Designs {
     pub(super) fn read(&mut self, path: &Path, open: &Arc<Open>, revision: u64) -> Option<&Design> {
         if self.read.get(path).is_none_or(|design| design.read_at.is_none()) {
             let overlay = Overlay::of(&*self.projects, path, open)?;
-            let before = self.read.remove(path).map(Before::of);
+            let (before, earlier) = self.read.remove(path).map(Before::of).unzip();
             let analysis = if is_project_file(path) {
                 read_alone(&overlay, &*self.projects)
             } else {
-                let project = &overlay.project;
-                let mut analysis = read_indexed(&overlay, &project.design, &project.overrides);
+                let Project { design, overrides, .. } = &overlay.project;
+                let mut analysis = match earlier {
+                    Some(earlier) => read_indexed_again(&overlay, design, overrides, earlier),
+                    None => read_indexed(&overlay, design, overrides),
+                };
                 with_project_file(&mut analysis, &overlay);
                 analysis
             };

@@ -8,7 +8,7 @@ use crate::source::{Files, MemoryFiles, ReadError};
 use std::cell::RefCell;
 
 fn loaded(files: &MemoryFiles) -> (Vec<String>, Vec<(Code, String)>) {
-    let loaded = load(files, "a.ifs", None);
+    let loaded = load(files, "a.ifs", None, None);
     let paths = loaded.files.iter().map(|file| file.path.clone()).collect();
     (paths, loaded.diagnostics.into_iter().map(|found| (found.code, found.message)).collect())
 }
@@ -36,7 +36,7 @@ fn one_file_by_many_spellings_is_read_once() {
         .with("parts/b.ifs", "use \"./c.ifs\" (w)")
         .with("parts/c.ifs", "");
     let files = Counting(files, RefCell::default());
-    let loaded = load(&files, "a.ifs", None);
+    let loaded = load(&files, "a.ifs", None, None);
     assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
     assert_eq!(*files.1.borrow(), ["a.ifs", "parts/b.ifs", "parts/c.ifs"]);
     assert_eq!(loaded.files[0].uses.len(), 4);

@@ -89,30 +89,53 @@ impl chumsky::span::Span for Span {
     }
 }
 
-/// Parses the items of a file, each in its range of the lexemes. Every range gives an item.
+/// Whether the brackets at the place of an item are sound, and the item where it is known already.
+type Known<'k> = &'k mut dyn FnMut(Span) -> (bool, Option<ast::Item>);
+
+/// Parses the items of a file, each in its range of the lexemes. Every range gives an item, and whether it was read without
+/// a doubt.
 pub(super) fn parse_items<'s>(
     lexemes: &'s [Placed<'s>],
     items: Vec<Range<usize>>,
+    known: Known<'_>,
     said: &mut Said,
-) -> Vec<ast::Item> {
+) -> (Vec<ast::Item>, Vec<bool>) {
     let rule = items::item();
-    items.into_iter().map(|range| parse_item(&rule, lexemes, range, said)).collect()
+    let read = items.into_iter().map(|range| {
+        let slice = &lexemes[range.clone()];
+        let whole = whole(slice);
+        let (balanced, known) = known(whole);
+        let plain = balanced && slice.iter().all(|(lexeme, _)| !lexeme.suspect);
+        if let Some(item) = known.filter(|_| plain) {
+            return (item, true);
+        }
+        let (item, good) = parse_item(&rule, lexemes, range, said);
+        (item, plain && good)
+    });
+    read.unzip()
 }
 
+/// From the first lexeme to the last.
+fn whole(slice: &[Placed<'_>]) -> Span {
+    match (slice.first(), slice.last()) {
+        (Some((_, first)), Some((_, last))) => first.to(*last),
+        _ => Span::default(),
+    }
+}
+
+/// An item, and whether nothing is wrong with it.
 fn parse_item<'s>(
     rule: &Rule<'s, ast::Item>,
     lexemes: &'s [Placed<'s>],
     range: Range<usize>,
     said: &mut Said,
-) -> ast::Item {
+) -> (ast::Item, bool) {
     let slice = &lexemes[range.clone()];
-    let whole = match (slice.first(), slice.last()) {
-        (Some((_, first)), Some((_, last))) => first.to(*last),
-        _ => Span::default(),
-    };
+    let whole = whole(slice);
     let mut progress = Progress::default();
     let result = rule.parse_with_state(slice.split_token_span(whole.after()), &mut progress);
     let (item, misses) = result.into_output_errors();
+    let good = item.is_some() && misses.is_empty() && progress.said.is_empty();
     said.steps += progress.steps;
     for diagnostic in progress.said {
         said.push(|| diagnostic);
@@ -126,5 +149,6 @@ fn parse_item<'s>(
             said.push(|| diagnostic);
         }
     }
-    item.unwrap_or(ast::Item { span: whole, docs: Vec::new(), public: None, kind: ast::ItemKind::Error })
+    let error = || ast::Item { span: whole, docs: Vec::new(), public: None, kind: ast::ItemKind::Error };
+    (item.unwrap_or_else(error), good)
 }

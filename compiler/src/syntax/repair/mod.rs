@@ -8,22 +8,29 @@ mod matcher;
 use super::lexeme::{Placed, begins_item};
 use super::limits::{MAX_NESTING, Said};
 use super::token::TokenKind;
+use crate::source::Span;
 use matcher::Matcher;
 use std::ops::Range;
 
-/// Balances the brackets.
-pub(super) fn balance<'s>(lexemes: Vec<Placed<'s>>, said: &mut Said) -> Vec<Placed<'s>> {
+/// Balances the brackets; also the places where something could be wrong with them.
+pub(super) fn balance<'s>(lexemes: Vec<Placed<'s>>, said: &mut Said) -> (Vec<Placed<'s>>, Vec<Span>) {
     let regions = regions(&lexemes);
     let sound: Vec<bool> = regions.iter().map(|region| is_sound(&lexemes[region.clone()])).collect();
     if sound.iter().all(|sound| *sound) {
-        return lexemes;
+        return (lexemes, Vec::new());
     }
     let mut balanced = Vec::with_capacity(lexemes.len() + MAX_NESTING);
+    let mut unsound = Vec::new();
     for (region, sound) in regions.into_iter().zip(sound) {
         let region = &lexemes[region];
         if sound {
             balanced.extend_from_slice(region);
             continue;
+        }
+        if let [(_, first), ..] = region
+            && let Some((_, last)) = region.last()
+        {
+            unsound.push(first.to(*last));
         }
         let strict = Matcher::run(region, false);
         let outcome = if strict.said.is_empty() { strict } else { Matcher::run(region, true) };
@@ -32,7 +39,7 @@ pub(super) fn balance<'s>(lexemes: Vec<Placed<'s>>, said: &mut Said) -> Vec<Plac
             said.push(|| diagnostic);
         }
     }
-    balanced
+    (balanced, unsound)
 }
 
 /// Whether nothing can be wrong with the brackets of a region, by a quick look: most files are left as they are.

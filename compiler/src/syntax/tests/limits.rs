@@ -145,7 +145,7 @@ fn no_lexeme_is_read_again_and_again() {
         "not ",
     ] {
         let text = format!("let a = {}", part.repeat(100_000 / part.len()));
-        let (parse, steps) = counted(&Source::new(FileId(0), "a.ifs", &*text));
+        let (parse, steps) = counted(&Source::new(FileId(0), "a.ifs", &*text), None);
         let tokens = parse.tokens.iter().filter(|token| !token.kind.is_trivia()).count();
         assert!(steps <= 60 * tokens, "{part}: {steps} steps for {tokens} tokens");
     }
@@ -153,7 +153,7 @@ fn no_lexeme_is_read_again_and_again() {
 
 /// How many lexemes the grammar reads of a text.
 fn steps(text: &str) -> usize {
-    counted(&Source::new(FileId(0), "a.ifs", text)).1
+    counted(&Source::new(FileId(0), "a.ifs", text), None).1
 }
 
 /// Of twice as much text the grammar reads at most twice as many lexemes, and a few more. Gives how many of the shortest.

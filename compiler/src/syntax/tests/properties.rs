@@ -9,7 +9,7 @@ use crate::syntax::{Parse, Token, parse};
 use proptest::prelude::*;
 
 /// Pieces of programs, good and bad.
-const PIECES: &[&str] = &[
+pub(super) const PIECES: &[&str] = &[
     "let",
     "fn",
     "ifs",
