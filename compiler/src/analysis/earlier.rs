@@ -17,8 +17,13 @@ impl Earlier {
     pub fn of(analysis: Arc<Analysis>) -> Earlier {
         match Arc::try_unwrap(analysis) {
             Ok(analysis) => Earlier { sources: analysis.sources, files: analysis.files },
-            Err(shared) => Earlier { sources: Arc::clone(&shared.sources), files: Arc::clone(&shared.files) },
+            Err(shared) => Earlier::beside(&shared),
         }
+    }
+
+    /// Of an analysis that stays: what is taken is copied.
+    pub fn beside(analysis: &Analysis) -> Earlier {
+        Earlier { sources: Arc::clone(&analysis.sources), files: Arc::clone(&analysis.files) }
     }
 
     /// The text of a file and its tree; no other has to ask for them again.
@@ -27,7 +32,7 @@ impl Earlier {
         let source = self.sources.shared(self.files[place].file)?;
         let parse = match Arc::get_mut(&mut self.files) {
             Some(files) => std::mem::take(&mut files[place].parse),
-            None => self.files[place].parse.clone(),
+            None => self.files[place].parse.tree(),
         };
         Some((source, parse))
     }

@@ -27,10 +27,8 @@ pub fn with_item_changed(analysis: &Analysis, span: Span, text: &str) -> Option<
     }
     let changed = changed_item(source, old, span, text, end)?;
     let index = check_in_place(&modules(&analysis.files, load::library()), file.file, &changed)?;
-    let parse = crate::syntax::Parse {
-        ast: crate::syntax::ast::File { items: vec![changed], ..Default::default() },
-        ..Default::default()
-    };
+    let mut parse = crate::syntax::Parse::default();
+    parse.ast.items.push(changed);
     let file = ProjectFile {
         file: file.file,
         path: file.path.clone(),

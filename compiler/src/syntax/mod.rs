@@ -36,7 +36,14 @@ pub struct Parse {
     /// What is wrong, by place; at most [`limits::MAX_DIAGNOSTICS`].
     pub diagnostics: Vec<Diagnostic>,
     /// Of each item whether it was read without a doubt: nothing is wrong in it, and nothing around it is put right.
-    pub(crate) sound: Vec<bool>,
+    sound: Vec<bool>,
+}
+
+impl Parse {
+    /// A copy of what the next text of the file may have in common with it.
+    pub(crate) fn tree(&self) -> Parse {
+        Parse { ast: self.ast.clone(), sound: self.sound.clone(), ..Parse::default() }
+    }
 }
 
 /// Parses a text. Never fails; a good item is in the tree whatever stands around it.

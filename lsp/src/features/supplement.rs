@@ -1,7 +1,7 @@
 //! The design as it would be with a name where the cursor is: what a place would like is known of whole texts only. The
 //! compiler reads it; nothing is guessed here.
 
-use ifs_compiler::analysis::{Analysis, read_indexed, with_item_changed};
+use ifs_compiler::analysis::{Analysis, Earlier, read_indexed_again, with_item_changed};
 use ifs_compiler::hir::evaluate::Overrides;
 use ifs_compiler::source::{FileId, MemoryFiles, Span};
 
@@ -40,7 +40,8 @@ fn read_anew(analysis: &Analysis, span: Span, closing: &str) -> Option<Supplemen
         files = files.with(&file.path, text);
     }
     let root = analysis.files.first()?;
-    let read = read_indexed(&files, &root.path, &Overrides::default());
+    let earlier = Earlier::beside(analysis);
+    let read = read_indexed_again(&files, &root.path, &Overrides::default(), earlier);
     let path = &analysis.sources.get(span.file)?.path;
     let file: FileId = read.files.iter().find(|file| file.path == *path)?.file;
     let name = Span::new(file, span.start, span.start + NAME.len() as u32);
@@ -51,6 +52,7 @@ fn read_anew(analysis: &Analysis, span: Span, closing: &str) -> Option<Supplemen
 #[allow(clippy::disallowed_methods, reason = "the test reads the designs")]
 mod tests {
     use super::*;
+    use ifs_compiler::analysis::read_indexed;
     use ifs_compiler::hir::types::Type;
     use ifs_compiler::syntax::TokenKind;
     use std::fs;

@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use ifs_compiler::analysis::{Analysis, read_indexed};
+use ifs_compiler::analysis::{Analysis, Earlier, read_indexed_again};
 use ifs_compiler::diagnostic::{Diagnostic, Edit, Severity};
 use ifs_compiler::source::{FileId, Files, Source};
 use ifs_compiler::syntax::{ast::ItemKind, parse};
@@ -14,6 +14,7 @@ use crate::world::Snapshot;
 use crate::world::documents::Document;
 use crate::world::overlay::{Open, Overlay};
 use crate::world::project_file::with_project_file;
+use crate::world::projects::Project;
 
 /// The most files of a project that are looked through for a name.
 const MOST_FILES: usize = 300;
@@ -94,7 +95,8 @@ pub(super) fn read_with(snapshot: &Snapshot, text: String) -> Option<Analysis> {
 /// A design beside that of a snapshot, read anew among other open documents.
 pub(super) fn read_among(snapshot: &Snapshot, path: &Path, open: &Arc<Open>) -> Option<Analysis> {
     let overlay = Overlay::of(&*snapshot.places.projects, path, open)?;
-    let mut analysis = read_indexed(&overlay, &overlay.project.design, &overlay.project.overrides);
+    let Project { design, overrides, .. } = &overlay.project;
+    let mut analysis = read_indexed_again(&overlay, design, overrides, Earlier::beside(&snapshot.analysis));
     with_project_file(&mut analysis, &overlay);
     Some(analysis)
 }
